@@ -1,0 +1,56 @@
+// Every parameter of the package, one struct a group, as they lie under a node's `~`. These defaults are the only ones;
+// config/atom_mapping.yaml repeats them for the reader and a test holds the two equal. describe_parameters.h gives each
+// its permitted range and unit.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace atom_map {
+
+enum class Mode { kOccupancy, kSignedDistance };
+
+// scan/: which returns are used, and what is known of the sensor.
+struct ScanParameters {
+  double min_range = 0.5;              // m, nearer returns are dropped (the robot itself)
+  double max_range = 25.0;             // m, farther returns are discarded (paper V-B)
+  double thinning = 0.5;               // atomic radii, one return is kept a cubic cell of this side; 0 keeps all
+  double horizontal_resolution = 0.2;  // deg between firings (VLP-16 at 10 Hz)
+  double vertical_resolution = 2.0;    // deg between rings (VLP-16)
+  double range_noise = 0.02;           // m, standard deviation of one range
+  double normal_support = 0.5;         // m, half the width of the neighbourhood that a normal is fitted to
+  bool clear_no_returns = false;       // rays without an echo free the space up to max_range
+};
+
+// rays/: candidates (paper III-C) and stochastic angular interleaving (paper III-D).
+struct RayParameters {
+  double lambda = 1.0;           // cost of a hole in Eq. (2)
+  double max_incidence = 84.0;   // deg, bound of the angle between ray and normal in step B
+  double normal_distance = 2.0;  // m, how far step C reaches along the normal
+  double candidate_cell = 1.0;   // atomic diameters, side of the candidate filter's cells; 0 keeps all
+};
+
+// occupancy/: the update of Eq. (3).
+struct OccupancyParameters {
+  double hit_probability = 0.7;   // occupancy that a return tells of
+  double miss_probability = 0.4;  // occupancy that a ray passing by tells of
+  double max_log_odds = 3.5;      // clamp, the same on both sides: an unequal one shifts the interpolated surface
+};
+
+// signed_distance/: the fusion of Eq. (9) to (11).
+struct SignedDistanceParameters {
+  double xi = 0.5;  // numerical stability in Eq. (9)
+};
+
+struct MappingParameters {
+  std::string map_frame = "map";
+  Mode mode = Mode::kOccupancy;
+  double radius = 0.25;    // m, of every atom
+  std::uint32_t seed = 1;  // of every random draw: same scans, parameters and seed give the same map
+  ScanParameters scan;
+  RayParameters rays;
+  OccupancyParameters occupancy;
+  SignedDistanceParameters signed_distance;
+};
+
+}  // namespace atom_map

@@ -1,0 +1,31 @@
+// Vocabulary of the core. Lengths are metres, angles radians, frames right-handed with z up (REP 103).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace atom_map {
+
+// One revolution of a lidar, in the sensor's frame at the scan's stamp.
+struct LidarScan {
+  std::vector<Eigen::Vector3f> points;      // returns; may hold NaN and infinities (REP 117), which the filter drops
+  std::vector<Eigen::Vector3f> no_returns;  // unit directions of rays that came back without an echo
+};
+
+// Sensor frame to map frame. Double, because a map frame may lie 100 km from its origin.
+using Pose = Eigen::Isometry3d;
+
+// A return and the unit normal of the surface that it lies on, turned towards the sensor.
+struct SurfacePoint {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;
+};
+
+// An atom proposed by one scan. `value` is the log-odds of occupancy to add (paper, Eq. 3) in occupancy mode, and the
+// signed distance to the surface in metres, positive in free space, in signed distance mode (paper, Section IV).
+struct Candidate {
+  Eigen::Vector3f center;
+  float value;
+};
+
+}  // namespace atom_map
