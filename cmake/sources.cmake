@@ -1,0 +1,23 @@
+# What is built, globbed layer by layer. A library whose folders are empty is left out.
+# test/structure/layering_test.py checks which folder may include which.
+file(GLOB core_sources CONFIGURE_DEPENDS src/base/*.cpp src/scan/*.cpp src/map/*.cpp src/query/*.cpp src/planning/*.cpp)
+file(GLOB io_sources CONFIGURE_DEPENDS src/surface/*.cpp src/io/*.cpp)
+file(GLOB sim_sources CONFIGURE_DEPENDS src/sim/*.cpp)
+file(GLOB baseline_sources CONFIGURE_DEPENDS src/baseline/*.cpp)
+file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+file(GLOB program_sources CONFIGURE_DEPENDS src/apps/*.cpp)
+
+set(ATOM_MAPPING_CORE_LIBRARIES atom_map)
+if(io_sources)
+  list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map_io)
+endif()
+if(sim_sources)
+  list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map_sim)
+endif()
+if(baseline_sources)
+  list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map_baseline)
+endif()
+set(ATOM_MAPPING_LIBRARIES ${ATOM_MAPPING_CORE_LIBRARIES})
+if(ros_sources)
+  list(APPEND ATOM_MAPPING_LIBRARIES ${PROJECT_NAME}_ros)
+endif()

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Makes the machine ready: installs the apt packages that are missing (nothing to do: no network, no sudo) and lays out
+# the workspace. Other scripts source it for `repository`, `workspace` and the ROS environment; running it is enough too.
+set -euo pipefail
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+workspace=$repository/.workspace
+
+# The system's own Python before a pyenv or conda, which know nothing of catkin.
+export PATH=/usr/bin:$PATH
+
+installMissingPackages() {
+  local column=2 installed missing
+  if grep -qs '^VERSION_CODENAME=focal' /etc/os-release; then column=3; fi
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' | awk '$1 == "installed" { print $2 }')
+  missing=$(awk -v column=$column '!/^#/ && NF && $column != "-" { print $column }' "$repository/scripts/apt_packages.txt" |
+    sort -u | grep -vxF "$installed") || return 0
+  echo "Installing:" $missing
+  local as_root=()
+  if [[ $EUID -ne 0 ]]; then as_root=(sudo); fi
+  "${as_root[@]}" apt-get -q update
+  # shellcheck disable=SC2086
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends $missing </dev/null
+}
+
+# The setup files of ROS and catkin read variables that need not be set.
+sourceUnchecked() {
+  set +u
+  # shellcheck disable=SC1090
+  source "$1"
+  set -u
+}
+
+installMissingPackages
+if [[ -f /opt/ros/noetic/setup.bash ]]; then sourceUnchecked /opt/ros/noetic/setup.bash; fi
+mkdir -p "$workspace/src"
+ln -sfn "$repository" "$workspace/src/atom_mapping"
