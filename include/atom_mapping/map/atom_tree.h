@@ -1,0 +1,133 @@
+// The index of the map: an incremental k-d tree whose leaves are buckets of atoms (paper III-B).
+//
+// Choice: nodes split at dyadic planes (multiples of cell * 2^n), the coarsest that separates what lies beneath, and
+// chains of nodes with one child are never stored. So the tree's shape follows from where atoms lie and not from the
+// order in which they came: a straight drive, sorted input or a plane cannot degenerate it, and it is never rebuilt.
+//
+// Complexity: the depth is at most 3 log2(extent / cell) + 1. For atoms no nearer to one another than a cell, insertion
+// and removal cost O(depth), a search O(depth + atoms in the leaves that it touches). Atoms within the same cell cannot
+// be separated: a leaf holds them all, however many.
+// Thread safety: const members may run side by side; any other member needs the tree alone.
+// Lifetime: an AtomRef is valid until the next insertion or removal; a Neighbor is a copy.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "atom_mapping/map/atom_block.h"
+#include "atom_mapping/map/cell_key.h"
+
+namespace atom_map {
+
+// An atom where it lies in the tree.
+template <class Block>
+struct BasicAtomRef {
+  Block* block;
+  std::uint32_t index;
+
+  Eigen::Vector3f center() const { return block->center(index); }
+  auto& value(int i = 0) const { return block->channel(3 + i)[index]; }
+};
+using AtomRef = BasicAtomRef<AtomBlock>;
+using ConstAtomRef = BasicAtomRef<const AtomBlock>;
+
+struct Neighbor {
+  Eigen::Vector3f center;
+  float squared_distance;
+  std::array<float, 2> values;  // as many as the tree has, then 0
+};
+
+class AtomTree {
+ public:
+  static constexpr std::uint32_t kLeafCapacity = 32;  // atoms
+
+  // `cell`: side of the smallest cell that a split may make, in metres. `value_count`: floats that an atom stores, 1 or 2.
+  AtomTree(float cell, int value_count);
+
+  // Coordinates must be finite. `values` points to value_count floats.
+  void insert(const Eigen::Vector3f& center, const float* values);
+
+  // Calls visit(AtomRef, squared distance) for each atom whose centre lies nearer to p than `radius`.
+  template <class Visit>
+  void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit);
+  template <class Visit>
+  void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) const;
+
+  // Calls visit(ConstAtomRef) for each atom whose centre lies in the closed box, or in the tree, in the tree's order.
+  template <class Visit>
+  void forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const;
+  template <class Visit>
+  void forEach(Visit&& visit) const;
+
+  // The nearest atom whose centre lies nearer to p than max_distance.
+  std::optional<Neighbor> nearest(const Eigen::Vector3f& p, float max_distance) const;
+
+  // The k nearest atoms nearer to p than max_distance, nearest first. `neighbors` is overwritten.
+  void kNearest(const Eigen::Vector3f& p, std::size_t k, float max_distance, std::vector<Neighbor>& neighbors) const;
+
+  // Removes the atoms whose centres lie in the closed box; returns how many.
+  std::size_t removeInBox(const Eigen::AlignedBox3f& box);
+
+  void clear();
+
+  std::size_t size() const { return size_; }
+  std::size_t depth() const;  // inner nodes on the longest way to a leaf
+  std::size_t bytes() const;  // heap bytes held, of atoms and index
+
+ private:
+  // A child is an inner node's index, or the complement of a leaf's.
+  using Child = std::int32_t;
+  struct Inner {
+    std::array<Child, 2> children;  // below the plane; on and above it
+    std::uint32_t plane;            // first cell of the upper side
+    std::uint8_t level;             // of the plane, as CellKey::firstDifference; falls on every way to a leaf
+    std::uint8_t axis;
+
+    int side(const CellKey& k) const { return k.cell[axis] >= plane ? 1 : 0; }
+  };
+  // Where a child hangs: survives the growth of the node arrays, which a pointer does not.
+  struct Place {
+    Child parent;  // kRoot for the root
+    int side;
+  };
+  static constexpr Child kRoot = -1;
+
+  static bool isLeaf(Child c) { return c < 0; }
+  AtomBlock& leaf(Child c) { return leaves_[static_cast<std::size_t>(~c)]; }
+  const AtomBlock& leaf(Child c) const { return leaves_[static_cast<std::size_t>(~c)]; }
+  Inner& inner(Child c) { return inners_[static_cast<std::size_t>(c)]; }
+  const Inner& inner(Child c) const { return inners_[static_cast<std::size_t>(c)]; }
+  Child& at(Place p) { return p.parent == kRoot ? root_ : inner(p.parent).children[static_cast<std::size_t>(p.side)]; }
+
+  CellKey key(const Eigen::Vector3f& p) const { return {p, cells_per_metre_}; }
+  CellRange keysOf(const Eigen::AlignedBox3f& box) const;
+
+  Child newLeaf();
+  Child newInner(int level, const CellKey& side_of, Child child, Child other);
+  void release(Child child);
+  int partingLevel(const CellKey& atom) const;
+  void splitIfOverfull(Place place);
+  Child removeBelow(Child child, const CellRange& range, const Eigen::AlignedBox3f& box);
+  std::size_t depthBelow(Child child) const;
+
+  template <class Visit>
+  void visitLeaves(Child child, const CellRange& range, Visit&& visit) const;
+  void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
+                     std::vector<Neighbor>& best) const;
+
+  float cells_per_metre_;
+  int value_count_;
+  std::size_t size_ = 0;
+  Child root_ = 0;  // meaningful while size_ > 0
+  std::vector<Inner> inners_;
+  std::vector<AtomBlock> leaves_;
+  std::vector<Child> free_inners_;
+  std::vector<Child> free_leaves_;
+};
+
+}  // namespace atom_map
+
+#include "atom_mapping/map/atom_tree_search.h"

@@ -1,0 +1,41 @@
+// Merging one scan's candidates into the map (paper III-E): the only code that writes atoms.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "atom_mapping/base/parameters.h"
+#include "atom_mapping/base/types.h"
+#include "atom_mapping/map/atom_map.h"
+#include "atom_mapping/map/center_set.h"
+
+namespace atom_map {
+
+struct MergeReport {
+  std::uint32_t inserted = 0;  // candidates that became atoms
+  std::uint32_t updates = 0;   // changes of atoms that were there
+};
+
+// Merges the candidates of one scan. They may come in several calls, occupied ones before free ones, so that a server
+// can let readers in between.
+// Choice: an atom that a return of this scan raised is not lowered by the same scan's rays passing by, as in OctoMap.
+class OccupancyMerge {
+ public:
+  // The map must be in occupancy mode, and outlive this.
+  OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters);
+
+  // Candidates in the map's local frame; their values are log-odds.
+  void add(const Candidate* begin, const Candidate* end);
+
+  const MergeReport& report() const { return report_; }
+
+ private:
+  void add(const Candidate& candidate);
+
+  AtomMap& map_;
+  float max_log_odds_;
+  CenterSet raised_;
+  MergeReport report_;
+};
+
+}  // namespace atom_map

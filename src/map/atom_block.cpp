@@ -1,0 +1,49 @@
+#include "atom_mapping/map/atom_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+
+namespace atom_map {
+
+void AtomBlock::push(const Eigen::Vector3f& center, const float* values) {
+  resize(size_ + 1);
+  for (int c = 0; c < 3; ++c) channel(c)[size_ - 1] = center[c];
+  for (int c = 0; c < value_count_; ++c) channel(3 + c)[size_ - 1] = values[c];
+}
+
+void AtomBlock::moveTo(AtomBlock& other, std::uint32_t i) {
+  std::array<float, 4> values{};
+  assert(value_count_ <= values.size());
+  for (std::size_t c = 0; c < value_count_; ++c) values[c] = channel(3 + static_cast<int>(c))[i];
+  other.push(center(i), values.data());
+  remove(i);
+}
+
+void AtomBlock::remove(std::uint32_t i) {
+  assert(i < size_);
+  for (int c = 0; c < 3 + value_count_; ++c) channel(c)[i] = channel(c)[size_ - 1];
+  channel(0)[size_ - 1] = std::numeric_limits<float>::infinity();
+  resize(size_ - 1);
+}
+
+std::size_t AtomBlock::bytes() const {
+  return size_ == 0 ? 0 : sizeof(float) * (3U + value_count_) * capacity() + 8;
+}
+
+// Keeps the first atoms. The allocation follows the capacity, so a block never holds a lane that it does not use.
+void AtomBlock::resize(std::uint32_t size) {
+  const std::uint32_t old_capacity = capacity();
+  const std::uint32_t kept = std::min(size, size_);
+  size_ = size;
+  if (capacity() == old_capacity) return;
+  auto data = size == 0 ? nullptr : std::make_unique<float[]>(std::size_t{3U + value_count_} * capacity());
+  for (std::uint32_t c = 0; size != 0 && c < 3U + value_count_; ++c) {
+    std::copy_n(&data_[std::size_t{c} * old_capacity], kept, &data[std::size_t{c} * capacity()]);
+  }
+  std::fill(data.get() + kept, data.get() + capacity(), std::numeric_limits<float>::infinity());
+  data_ = std::move(data);
+}
+
+}  // namespace atom_map

@@ -1,0 +1,147 @@
+#include "atom_mapping/map/atom_tree.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace atom_map {
+
+AtomTree::AtomTree(float cell, int value_count) : cells_per_metre_(1.0F / cell), value_count_(value_count) {
+  assert(cell > 0.0F && value_count >= 1 && value_count <= 2);
+}
+
+void AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
+  const CellKey atom = key(center);
+  if (size_ == 0) root_ = newLeaf();
+  const int level = partingLevel(atom);
+  Place place{kRoot, 0};
+  while (!isLeaf(at(place)) && inner(at(place)).level > level) place = {at(place), inner(at(place)).side(atom)};
+  if (isLeaf(at(place))) {
+    leaf(at(place)).push(center, values);
+    splitIfOverfull(place);
+  } else {  // the atom lies outside of the box that holds all beneath this node
+    const Child lone = newLeaf();
+    leaf(lone).push(center, values);
+    const Child parent = newInner(level, atom, lone, at(place));
+    at(place) = parent;
+  }
+  ++size_;
+}
+
+// Level of the coarsest plane between the atom and the leaf where its way through the planes ends. All atoms beneath a
+// node share every coarser plane, so one of them speaks for all.
+int AtomTree::partingLevel(const CellKey& atom) const {
+  if (size_ == 0) return -1;
+  Child child = root_;
+  while (!isLeaf(child)) child = inner(child).children[static_cast<std::size_t>(inner(child).side(atom))];
+  return CellKey::firstDifference(atom, key(leaf(child).center(0)));
+}
+
+void AtomTree::splitIfOverfull(Place place) {
+  const Child lower = at(place);
+  if (leaf(lower).size() <= kLeafCapacity) return;
+  const CellKey first = key(leaf(lower).center(0));
+  int level = -1;
+  for (std::uint32_t i = 1; i < leaf(lower).size(); ++i) {
+    level = std::max(level, CellKey::firstDifference(first, key(leaf(lower).center(i))));
+  }
+  if (level < 0) return;
+  const Child upper = newLeaf();
+  const std::uint32_t plane = first.planeAt(level);
+  const auto axis = static_cast<std::size_t>(CellKey::axisOf(level));
+  for (std::uint32_t i = leaf(lower).size(); i-- > 0;) {
+    if (key(leaf(lower).center(i)).cell[axis] >= plane) leaf(lower).moveTo(leaf(upper), i);
+  }
+  const bool first_is_above = first.cell[axis] >= plane;
+  const Child parent = newInner(level, first, first_is_above ? upper : lower, first_is_above ? lower : upper);
+  at(place) = parent;
+  splitIfOverfull({parent, 0});
+  splitIfOverfull({parent, 1});
+}
+
+AtomTree::Child AtomTree::newLeaf() {
+  if (free_leaves_.empty()) {
+    leaves_.emplace_back(value_count_);
+    return ~static_cast<Child>(leaves_.size() - 1);
+  }
+  const Child child = free_leaves_.back();
+  free_leaves_.pop_back();
+  return child;
+}
+
+// A node split at `level`, with `child` on the side where the cell `side_of` lies.
+AtomTree::Child AtomTree::newInner(int level, const CellKey& side_of, Child child, Child other) {
+  Inner node{{child, other},
+             side_of.planeAt(level),
+             static_cast<std::uint8_t>(level),
+             static_cast<std::uint8_t>(CellKey::axisOf(level))};
+  if (node.side(side_of) == 1) std::swap(node.children[0], node.children[1]);
+  if (free_inners_.empty()) {
+    inners_.push_back(node);
+    return static_cast<Child>(inners_.size() - 1);
+  }
+  const Child place = free_inners_.back();
+  free_inners_.pop_back();
+  inner(place) = node;
+  return place;
+}
+
+void AtomTree::release(Child child) {
+  if (isLeaf(child)) leaf(child) = AtomBlock(value_count_);
+  (isLeaf(child) ? free_leaves_ : free_inners_).push_back(child);
+}
+
+std::size_t AtomTree::removeInBox(const Eigen::AlignedBox3f& box) {
+  if (size_ == 0 || box.isEmpty()) return 0;
+  const std::size_t before = size_;
+  root_ = removeBelow(root_, keysOf(box), box);
+  if (size_ == 0) clear();
+  return before - size_;
+}
+
+// Returns what takes the child's place: itself, its only child that is left, or two small leaves joined. A leaf that
+// comes back empty is the caller's to release.
+AtomTree::Child AtomTree::removeBelow(Child child, const CellRange& range, const Eigen::AlignedBox3f& box) {
+  if (isLeaf(child)) {
+    AtomBlock& block = leaf(child);
+    const std::uint32_t before = block.size();
+    for (std::uint32_t i = before; i-- > 0;) {
+      if (box.contains(block.center(i))) block.remove(i);
+    }
+    size_ -= before - block.size();
+    return child;
+  }
+  const Inner node = inner(child);
+  std::array<Child, 2> left = node.children;
+  if (range.low[node.axis] < node.plane) left[0] = removeBelow(left[0], range, box);
+  if (range.high[node.axis] >= node.plane) left[1] = removeBelow(left[1], range, box);
+  inner(child).children = left;
+  const bool leaves = isLeaf(left[0]) && isLeaf(left[1]);
+  if (leaves && leaf(left[0]).size() + leaf(left[1]).size() <= kLeafCapacity / 2) {
+    while (leaf(left[1]).size() > 0) leaf(left[1]).moveTo(leaf(left[0]), leaf(left[1]).size() - 1);
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!isLeaf(left[side]) || leaf(left[side]).size() > 0) continue;
+    release(left[side]);
+    release(child);
+    return left[1 - side];
+  }
+  return child;
+}
+
+void AtomTree::clear() { *this = AtomTree(1.0F / cells_per_metre_, value_count_); }
+
+std::size_t AtomTree::bytes() const {
+  std::size_t bytes = inners_.capacity() * sizeof(Inner) + leaves_.capacity() * sizeof(AtomBlock) +
+                      (free_inners_.capacity() + free_leaves_.capacity()) * sizeof(Child);
+  for (const AtomBlock& block : leaves_) bytes += block.bytes();
+  return bytes;
+}
+
+std::size_t AtomTree::depth() const { return size_ == 0 ? 0 : depthBelow(root_); }
+
+std::size_t AtomTree::depthBelow(Child child) const {
+  if (isLeaf(child)) return 0;
+  return 1 + std::max(depthBelow(inner(child).children[0]), depthBelow(inner(child).children[1]));
+}
+
+}  // namespace atom_map

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "atom_mapping/map/atom_tree.h"
+
+namespace atom_map {
+namespace {
+
+// Of a coordinate or of the difference of two near it, with two roundings to spare.
+constexpr float kRounding = 4e-7F;
+
+void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& neighbor) {
+  if (best.size() == k) best.pop_back();
+  const auto farther = std::upper_bound(best.begin(), best.end(), neighbor, [](const Neighbor& a, const Neighbor& b) {
+    return a.squared_distance < b.squared_distance;
+  });
+  best.insert(farther, neighbor);
+}
+
+}  // namespace
+
+// Widened by the rounding of the box's corners, so that no atom within it is missed.
+CellRange AtomTree::keysOf(const Eigen::AlignedBox3f& box) const {
+  const Eigen::Vector3f low = box.min() - kRounding * box.min().cwiseAbs();
+  const Eigen::Vector3f high = box.max() + kRounding * box.max().cwiseAbs();
+  return {key(low).cell, key(high).cell};
+}
+
+std::optional<Neighbor> AtomTree::nearest(const Eigen::Vector3f& p, float max_distance) const {
+  std::vector<Neighbor> best;
+  kNearest(p, 1, max_distance, best);
+  return best.empty() ? std::nullopt : std::make_optional(best.front());
+}
+
+void AtomTree::kNearest(const Eigen::Vector3f& p, std::size_t k, float max_distance,
+                        std::vector<Neighbor>& neighbors) const {
+  neighbors.clear();
+  if (size_ > 0 && k > 0) kNearestBelow(root_, p, k, max_distance * max_distance, neighbors);
+}
+
+void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
+                             std::vector<Neighbor>& best) const {
+  const auto bound = [&] { return best.size() == k ? best.back().squared_distance : max_squared_distance; };
+  if (isLeaf(child)) {
+    const AtomBlock& block = leaf(child);
+    for (std::uint32_t i = 0; i < block.size(); ++i) {
+      const float squared_distance = (block.center(i) - p).squaredNorm();
+      if (squared_distance >= bound()) continue;
+      Neighbor neighbor{block.center(i), squared_distance, {}};
+      for (int v = 0; v < value_count_; ++v) neighbor.values[static_cast<std::size_t>(v)] = block.channel(3 + v)[i];
+      keepNearest(best, k, neighbor);
+    }
+    return;
+  }
+  const Inner& node = inner(child);
+  const float plane =
+      static_cast<float>(static_cast<std::int64_t>(node.plane) - CellKey::kOffset) / cells_per_metre_;
+  const float offset = p[node.axis] - plane;
+  const std::size_t near = offset >= 0.0F ? 1 : 0;
+  kNearestBelow(node.children[near], p, k, max_squared_distance, best);
+  const float gap = std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane));
+  if (gap * gap < bound()) kNearestBelow(node.children[1 - near], p, k, max_squared_distance, best);
+}
+
+}  // namespace atom_map

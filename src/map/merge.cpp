@@ -1,0 +1,40 @@
+#include "atom_mapping/map/merge.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "atom_mapping/map/overlap.h"
+
+namespace atom_map {
+
+OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters)
+    : map_(map), max_log_odds_(static_cast<float>(parameters.max_log_odds)) {
+  assert(map.mode() == Mode::kOccupancy);
+}
+
+void OccupancyMerge::add(const Candidate* begin, const Candidate* end) {
+  std::for_each(begin, end, [this](const Candidate& candidate) { add(candidate); });
+}
+
+void OccupancyMerge::add(const Candidate& candidate) {
+  const float diameter = 2.0F * map_.radius();
+  const bool occupied = candidate.value > 0.0F;
+  bool overlaps = false;
+  map_.atoms().forEachWithin(
+      candidate.center, AtomMap::kOverlapTolerance * diameter, [&](AtomRef atom, float squared_distance) {
+        overlaps = true;
+        if (occupied) raised_.insert(atom.center());
+        if (!occupied && raised_.contains(atom.center())) return;
+        const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter);
+        const float log_odds = atom.value() + overlap * candidate.value;  // Eq. (3)
+        atom.value() = std::clamp(log_odds, -max_log_odds_, max_log_odds_);
+        ++report_.updates;
+      });
+  if (overlaps) return;
+  map_.atoms().insert(candidate.center, &candidate.value);
+  if (occupied) raised_.insert(candidate.center);
+  ++report_.inserted;
+}
+
+}  // namespace atom_map
