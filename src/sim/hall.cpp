@@ -1,4 +1,4 @@
-// A hall of 68 x 65 x 17 m: columns and girders, racks, crates, a dock with a ramp and railings, vehicles, signs.
+// A hall of 68 x 65 x 17 m: columns and girders, containers, crates, a dock with a ramp and posts, vehicles, signs.
 #include "atom_mapping/base/random.h"
 #include "atom_mapping/sim/make_scene.h"
 #include "atom_mapping/sim/scene_parts.h"
@@ -43,19 +43,13 @@ void addColumns(Solids& scene) {
   }
 }
 
-// Three levels of cargo on boards, 10 m along the place's x axis.
-void addRack(Solids& scene, const Place& place, std::uint64_t variant) {
+// Freight containers, end to end and some two high, 18 m along the place's x axis.
+void addContainers(Solids& scene, const Place& place, std::uint64_t variant) {
   Random random(variant);
-  for (const double x : {-5.0, -2.5, 0.0, 2.5, 5.0}) {
-    for (const double y : {-0.55, 0.55}) addStandingBox(scene, place.at(x, y), {0.12, 0.12, 6.2}, SurfaceKind::kBox);
-  }
-  for (const double level : {0.3, 2.3, 4.3}) {
-    addBox(scene, place.at(0.0, 0.0, level), {10.2, 1.2, 0.12}, SurfaceKind::kBox);
-    for (double x = -3.75; x < 5.0; x += 2.5) {
-      if (random.uniform() < 0.25F) continue;
-      const double height = 0.7 + 0.9 * random.uniform();
-      addBox(scene, place.at(x, 0.0, level + 0.1), {1.4 + 0.7 * random.uniform(), 1.0, height}, SurfaceKind::kBox);
-    }
+  for (const double x : {-6.2, 0.0, 6.2}) {
+    addStandingBox(scene, place.at(x, 0.0), {6.06, 2.44, 2.59}, SurfaceKind::kBox);
+    if (random.uniform() < 0.5F) continue;
+    addBox(scene, place.at(x + 0.3 * random.uniform(), 0.0, 2.5), {6.06, 2.44, 2.59}, SurfaceKind::kBox);
   }
 }
 
@@ -63,31 +57,30 @@ void addRack(Solids& scene, const Place& place, std::uint64_t variant) {
 void addCrates(Solids& scene, const Place& place, std::uint64_t variant) {
   Random random(variant);
   for (int i = 0; i < 4; ++i) {
-    const double side = 0.8 + 0.6 * random.uniform();
-    Place crate = place.at(1.7 * (i % 2) + 0.3 * random.uniform(), 1.7 * (i / 2) + 0.3 * random.uniform());
+    const double side = 1.2 + 0.8 * random.uniform();
+    Place crate = place.at(2.9 * (i % 2) + 0.3 * random.uniform(), 2.9 * (i / 2) + 0.3 * random.uniform());
     crate.yaw += 0.8 * random.uniform();
     addStandingBox(scene, crate, {side, side, 0.9 * side}, SurfaceKind::kBox);
-    if (random.uniform() < 0.5F) addBox(scene, crate.at(0, 0, 0.85 * side), Vector3d::Constant(0.6), SurfaceKind::kBox);
+    if (random.uniform() < 0.4F) addBox(scene, crate.at(0, 0, 0.85 * side), Vector3d::Constant(1.1), SurfaceKind::kBox);
   }
 }
 
-// A platform along the east wall, a ramp up to it, and railings of thin poles.
+// A platform along the east wall, a ramp up to it, and thin posts along its edge.
 void addDock(Solids& scene) {
   addStandingBox(scene, floorAt(31.0, 4.0), {8.0, 24.0, 1.2}, SurfaceKind::kRamp);
   addRamp(scene, floorAt(31.0, -18.0, 0.5 * kPi), 9.0, 2.0, 1.2, 4.0);
   for (double y = -7.5; y <= 15.6; y += 2.1) {
     scene.push_back({Cylinder{{27.3, y, -1.0}, 0.025, 3.3}, SurfaceKind::kPole});
   }
-  addBox(scene, {{27.3, 4.0, 2.25}}, {0.08, 23.4, 0.06}, SurfaceKind::kBox);
   addCrates(scene, {{30.0, 10.0, 1.2}}, 71);
   addStandingBox(scene, floorAt(33.0, 0.0), {3.0, 5.0, 4.6}, SurfaceKind::kWall);  // an office on the dock
 }
 
 void addGoods(Solids& scene) {
-  const double rack_rows[] = {-28.0, -25.0, 25.0, 28.0};
+  const double rows[] = {-28.5, -24.0, 24.5, 28.5};
   std::uint64_t variant = 11;
-  for (const double y : rack_rows) {
-    for (const double x : {-21.0, -6.0, 6.0}) addRack(scene, floorAt(x, y), ++variant);
+  for (const double y : rows) {
+    for (const double x : {-19.0, 4.0}) addContainers(scene, floorAt(x, y), ++variant);
   }
   for (const double x : {-7.5, 6.5}) {
     for (const double y : {-4.0, 2.0}) addCrates(scene, floorAt(x, y, 0.2 * x), ++variant);

@@ -98,7 +98,8 @@ SimulatedScan simulateScan(const Scene& scene, const Trajectory& trajectory, dou
           random.uniform() < model.dropout;  // both drawn for every shot, so that options do not shift them
       const auto hit = scene.castRay(pose.translation(), pose.linear() * shot.direction, model.max_range);
       if (lost || !hit || hit->range < model.min_range) {
-        scan.no_returns.push_back({shot.direction.cast<float>(), shot.ring, shot.firing});
+        scan.no_returns.push_back(
+            {shot.direction.cast<float>(), static_cast<float>(shot.time), shot.ring, shot.firing});
       } else {
         scan.returns.push_back(makeReturn(shot, *hit, pose.linear().transpose() * hit->normal, noise));
       }

@@ -38,6 +38,7 @@ struct SimulatedReturn {
 // A ray that came back without an echo: nothing in range, too near, or lost by dropout.
 struct SimulatedNoReturn {
   Eigen::Vector3f direction;  // unit, sensor frame of the moment of firing
+  float time;                 // as of a return
   std::uint16_t ring;
   std::uint16_t firing;
 };
