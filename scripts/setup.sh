@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the machine ready: installs the apt packages that are missing (nothing to do: no network, no sudo) and lays out
-# the workspace. Other scripts source it for `repository`, `workspace` and the ROS environment; running it is enough too.
+# the workspace. Other scripts source it for the variables and the ROS environment; running it alone does no harm.
 set -euo pipefail
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -35,3 +35,11 @@ installMissingPackages
 if [[ -f /opt/ros/noetic/setup.bash ]]; then sourceUnchecked /opt/ros/noetic/setup.bash; fi
 mkdir -p "$workspace/src"
 ln -sfn "$repository" "$workspace/src/atom_mapping"
+
+# How many units are compiled at once: one that includes PCL or roscpp takes up to 2 GB.
+memory_gb=$(awk '/MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
+jobs=$((memory_gb / 2 < $(nproc) ? memory_gb / 2 : $(nproc)))
+jobs=${JOBS:-$((jobs > 1 ? jobs : 1))}
+
+compiler_cache=()
+if command -v ccache >/dev/null; then compiler_cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
