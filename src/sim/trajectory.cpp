@@ -62,7 +62,7 @@ std::vector<Vector3d> ring(double half_x, double half_y, int along_x, int along_
   for (int side = 0; side < 4; ++side) {
     const int count = side % 2 == 0 ? along_x : along_y;
     for (int i = 0; i < count; ++i) {
-      points.push_back(corners[side] + (corners[(side + 1) % 4] - corners[side]) * i / count);
+      points.emplace_back(corners[side] + (corners[(side + 1) % 4] - corners[side]) * i / count);
     }
   }
   return points;

@@ -60,8 +60,8 @@ class SimShapes : public testing::TestWithParam<ShapeCase> {
       const Vector3d direction = drawPoint(random, 1.0).normalized();
       const Vector3d origin = drawPoint(random, 2.0) - 10.0 * direction;
       if (const auto chord = GetParam().chord(origin, direction)) {
-        samples.push_back(origin + chord->enter * direction);
-        samples.push_back(origin + chord->leave * direction);
+        samples.emplace_back(origin + chord->enter * direction);
+        samples.emplace_back(origin + chord->leave * direction);
       }
     }
     return samples;
