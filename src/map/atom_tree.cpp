@@ -128,7 +128,9 @@ AtomTree::Child AtomTree::removeBelow(Child child, const CellRange& range, const
   return child;
 }
 
-void AtomTree::clear() { *this = AtomTree(1.0F / cells_per_metre_, value_count_); }
+void AtomTree::clear() {
+  *this = AtomTree(1.0F / cells_per_metre_, value_count_);
+}
 
 std::size_t AtomTree::bytes() const {
   std::size_t bytes = inners_.capacity() * sizeof(Inner) + leaves_.capacity() * sizeof(AtomBlock) +
@@ -137,7 +139,9 @@ std::size_t AtomTree::bytes() const {
   return bytes;
 }
 
-std::size_t AtomTree::depth() const { return size_ == 0 ? 0 : depthBelow(root_); }
+std::size_t AtomTree::depth() const {
+  return size_ == 0 ? 0 : depthBelow(root_);
+}
 
 std::size_t AtomTree::depthBelow(Child child) const {
   if (isLeaf(child)) return 0;

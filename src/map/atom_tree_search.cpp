@@ -53,8 +53,7 @@ void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t 
     return;
   }
   const Inner& node = inner(child);
-  const float plane =
-      static_cast<float>(static_cast<std::int64_t>(node.plane) - CellKey::kOffset) / cells_per_metre_;
+  const float plane = static_cast<float>(static_cast<std::int64_t>(node.plane) - CellKey::kOffset) / cells_per_metre_;
   const float offset = p[node.axis] - plane;
   const std::size_t near = offset >= 0.0F ? 1 : 0;
   kNearestBelow(node.children[near], p, k, max_squared_distance, best);

@@ -21,16 +21,16 @@ void OccupancyMerge::add(const Candidate& candidate) {
   const float diameter = 2.0F * map_.radius();
   const bool occupied = candidate.value > 0.0F;
   bool overlaps = false;
-  map_.atoms().forEachWithin(
-      candidate.center, AtomMap::kOverlapTolerance * diameter, [&](AtomRef atom, float squared_distance) {
-        overlaps = true;
-        if (occupied) raised_.insert(atom.center());
-        if (!occupied && raised_.contains(atom.center())) return;
-        const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter);
-        const float log_odds = atom.value() + overlap * candidate.value;  // Eq. (3)
-        atom.value() = std::clamp(log_odds, -max_log_odds_, max_log_odds_);
-        ++report_.updates;
-      });
+  map_.atoms().forEachWithin(candidate.center, AtomMap::kOverlapTolerance * diameter,
+                             [&](AtomRef atom, float squared_distance) {
+                               overlaps = true;
+                               if (occupied) raised_.insert(atom.center());
+                               if (!occupied && raised_.contains(atom.center())) return;
+                               const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter);
+                               const float log_odds = atom.value() + overlap * candidate.value;  // Eq. (3)
+                               atom.value() = std::clamp(log_odds, -max_log_odds_, max_log_odds_);
+                               ++report_.updates;
+                             });
   if (overlaps) return;
   map_.atoms().insert(candidate.center, &candidate.value);
   if (occupied) raised_.insert(candidate.center);

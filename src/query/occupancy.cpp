@@ -25,6 +25,8 @@ Occupancy classify(std::optional<float> log_odds) {
   return *log_odds < 0.0F ? Occupancy::kFree : Occupancy::kOccupied;
 }
 
-float probability(std::optional<float> log_odds) { return log_odds ? 1.0F / (1.0F + std::exp(-*log_odds)) : 0.5F; }
+float probability(std::optional<float> log_odds) {
+  return log_odds ? 1.0F / (1.0F + std::exp(-*log_odds)) : 0.5F;
+}
 
 }  // namespace atom_map

@@ -36,7 +36,6 @@ void addColumns(Solids& scene) {
   for (const double x : kColumnRows) {
     for (const double y : {-20.0, -7.0, 7.0, 20.0}) {
       addStandingCylinder(scene, floorAt(x, y), 0.45, kHeight + 1.0, SurfaceKind::kColumn);
-      addStandingBox(scene, floorAt(x, y), {1.3, 1.3, 0.35}, SurfaceKind::kColumn);
       addBox(scene, {{x, y, kHeight - 2.1}}, {1.4, 1.4, 0.5}, SurfaceKind::kColumn);
     }
     addBox(scene, {{x, 0.0, kHeight - 1.6}}, {0.5, kWidth + 2.0, 3.6}, SurfaceKind::kWall);  // girder
@@ -58,7 +57,8 @@ void addCrates(Solids& scene, const Place& place, std::uint64_t variant) {
   Random random(variant);
   for (int i = 0; i < 4; ++i) {
     const double side = 1.2 + 0.8 * random.uniform();
-    Place crate = place.at(2.9 * (i % 2) + 0.3 * random.uniform(), 2.9 * (i / 2) + 0.3 * random.uniform());
+    const int row = i / 2;
+    Place crate = place.at(2.9 * (i % 2) + 0.3 * random.uniform(), 2.9 * row + 0.3 * random.uniform());
     crate.yaw += 0.8 * random.uniform();
     addStandingBox(scene, crate, {side, side, 0.9 * side}, SurfaceKind::kBox);
     if (random.uniform() < 0.4F) addBox(scene, crate.at(0, 0, 0.85 * side), Vector3d::Constant(1.1), SurfaceKind::kBox);
@@ -89,7 +89,8 @@ void addGoods(Solids& scene) {
   addCrates(scene, floorAt(-8.0, 17.5, 0.4), 42);
   addCrates(scene, floorAt(20.5, -28.0, 1.1), 43);
   for (int i = 0; i < 5; ++i) {
-    addStandingCylinder(scene, floorAt(-0.5 + 0.7 * (i % 3), -17.5 - 0.75 * (i / 3)), 0.3, 0.9, SurfaceKind::kBox);
+    const int row = i / 3;
+    addStandingCylinder(scene, floorAt(-0.5 + 0.7 * (i % 3), -17.5 - 0.75 * row), 0.3, 0.9, SurfaceKind::kBox);
   }
   scene.push_back({Sphere{{3.0, 0.0, 1.4}, 1.5}, SurfaceKind::kBox});  // a tank, on a plinth
   addStandingBox(scene, floorAt(3.0, 0.0), {1.6, 1.6, 0.4}, SurfaceKind::kBox);

@@ -18,7 +18,7 @@ struct ScanParameters {
   double horizontal_resolution = 0.2;  // deg between firings (VLP-16 at 10 Hz)
   double vertical_resolution = 2.0;    // deg between rings (VLP-16)
   double range_noise = 0.02;           // m, standard deviation of one range
-  double normal_support = 0.5;         // m, half the width of the neighbourhood that a normal is fitted to
+  double normal_support = 0.15;        // m, half the least width of the neighbourhood that a normal is fitted to
   bool clear_no_returns = false;       // rays without an echo free the space up to max_range
 };
 

@@ -15,10 +15,11 @@ struct LidarScan {
 // Sensor frame to map frame. Double, because a map frame may lie 100 km from its origin.
 using Pose = Eigen::Isometry3d;
 
-// A return and the unit normal of the surface that it lies on, turned towards the sensor.
+// A return and what the scan tells of the surface that it lies on.
 struct SurfacePoint {
   Eigen::Vector3f position;
-  Eigen::Vector3f normal;
+  Eigen::Vector3f normal;  // unit, turned towards the sensor
+  float half_width;        // m, of a thing that stands free of its background left and right; infinite for others
 };
 
 // An atom proposed by one scan. `value` is the log-odds of occupancy to add (paper, Eq. 3) in occupancy mode, and the

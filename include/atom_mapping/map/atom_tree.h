@@ -44,7 +44,8 @@ class AtomTree {
  public:
   static constexpr std::uint32_t kLeafCapacity = 32;  // atoms
 
-  // `cell`: side of the smallest cell that a split may make, in metres. `value_count`: floats that an atom stores, 1 or 2.
+  // `cell`: side of the smallest cell that a split may make, in metres. `value_count`: floats that an atom stores, 1
+  // or 2.
   AtomTree(float cell, int value_count);
 
   // Coordinates must be finite. `values` points to value_count floats.

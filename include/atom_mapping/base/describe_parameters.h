@@ -1,0 +1,51 @@
+// Names, ranges and units of the parameters: what reads, checks, prints or documents them walks over these.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "atom_mapping/base/parameters.h"
+
+namespace atom_map {
+
+// Permitted values: low to high, both included unless open.
+struct Range {
+  double low;
+  double high;
+  bool open = false;  // low itself is not permitted
+
+  bool contains(double value) const { return (open ? value > low : value >= low) && value <= high; }
+};
+
+// Calls visit(name, field, range) for each number, visit(name, field) for each flag, text and mode, with names such as
+// "scan/max_range". `Parameters` is MappingParameters or const MappingParameters.
+template <class Parameters, class Visit>
+void forEachParameter(Parameters& p, Visit&& visit) {
+  constexpr double kAny = std::numeric_limits<double>::max();
+  visit("map_frame", p.map_frame);
+  visit("mode", p.mode);
+  visit("radius", p.radius, Range{0.01, 100.0});
+  visit("seed", p.seed, Range{0.0, std::numeric_limits<std::uint32_t>::max()});
+
+  visit("scan/min_range", p.scan.min_range, Range{0.0, kAny});
+  visit("scan/max_range", p.scan.max_range, Range{0.0, 1000.0, true});
+  visit("scan/thinning", p.scan.thinning, Range{0.0, 10.0});
+  visit("scan/horizontal_resolution", p.scan.horizontal_resolution, Range{0.01, 45.0});
+  visit("scan/vertical_resolution", p.scan.vertical_resolution, Range{0.01, 45.0});
+  visit("scan/range_noise", p.scan.range_noise, Range{0.0, 1.0});
+  visit("scan/normal_support", p.scan.normal_support, Range{0.0, 10.0, true});
+  visit("scan/clear_no_returns", p.scan.clear_no_returns);
+
+  visit("rays/lambda", p.rays.lambda, Range{0.0, kAny});
+  visit("rays/max_incidence", p.rays.max_incidence, Range{0.0, 89.0});
+  visit("rays/normal_distance", p.rays.normal_distance, Range{0.0, 100.0});
+  visit("rays/candidate_cell", p.rays.candidate_cell, Range{0.0, 10.0});
+
+  visit("occupancy/hit_probability", p.occupancy.hit_probability, Range{0.5, 0.999, true});
+  visit("occupancy/miss_probability", p.occupancy.miss_probability, Range{0.001, 0.499});
+  visit("occupancy/max_log_odds", p.occupancy.max_log_odds, Range{0.1, 100.0});
+
+  visit("signed_distance/xi", p.signed_distance.xi, Range{0.0, kAny, true});
+}
+
+}  // namespace atom_map

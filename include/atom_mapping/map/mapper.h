@@ -1,0 +1,58 @@
+// The mapping itself: the paper's Algorithm 1, over a map that others may read meanwhile.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <shared_mutex>
+#include <utility>
+
+#include "atom_mapping/base/parameters.h"
+#include "atom_mapping/base/types.h"
+#include "atom_mapping/map/atom_map.h"
+#include "atom_mapping/map/scan_report.h"
+#include "atom_mapping/scan/rays.h"
+
+namespace atom_map {
+
+// Thread safety: any member may be called at any time from any thread. Scans must come from one thread at a time, in
+// their order: same scans, poses and parameters give the same map, whoever reads it meanwhile.
+class Mapper {
+ public:
+  // Throws std::invalid_argument that names every parameter out of its range.
+  explicit Mapper(const MappingParameters& parameters);
+
+  // Merges one scan into the map (Algorithm 1). Never fails: returns that cannot be used are counted in the report.
+  // `sensor`: sensor frame to map frame at the scan's stamp; must be finite.
+  ScanReport insertScan(const LidarScan& scan, const Pose& sensor);
+
+  // Calls f(const AtomMap&) and returns what it returns. The map stands still meanwhile, so f should be short:
+  // milliseconds; a long reading is better cut into several.
+  template <class F>
+  auto read(F&& f) const {
+    const std::shared_lock lock(mutex_);
+    return std::forward<F>(f)(map_);
+  }
+
+  // Calls f(AtomMap&), alone.
+  template <class F>
+  auto write(F&& f) {
+    const std::unique_lock lock(mutex_);
+    return std::forward<F>(f)(map_);
+  }
+
+  // Empties the map and starts the random draws anew; waits for a scan that is being merged.
+  void reset();
+
+  const MappingParameters& parameters() const { return parameters_; }
+
+ private:
+  MergeReport merge(const Candidates& candidates);
+
+  MappingParameters parameters_;
+  std::mutex scan_mutex_;            // held from a scan's first stage to its last
+  mutable std::shared_mutex mutex_;  // of the map
+  AtomMap map_;
+  std::uint64_t scans_ = 0;
+};
+
+}  // namespace atom_map

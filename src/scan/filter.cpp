@@ -1,0 +1,69 @@
+#include "atom_mapping/scan/filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "atom_mapping/base/cell_table.h"
+
+namespace atom_map {
+namespace {
+
+// Sorts the returns into those that serve and those that are only counted. A return beyond max_range is not traced, but
+// tells of the surface that nearer ones lie on.
+void sortReturns(const LidarScan& scan, const ScanParameters& parameters, FilteredScan& filtered) {
+  FilterReport& report = filtered.report;
+  filtered.points.reserve(scan.points.size());
+  filtered.rays.reserve(scan.points.size());
+  for (const Eigen::Vector3f& point : scan.points) {
+    const float range = point.norm();
+    if (point.hasNaN()) {
+      ++report.nan;
+    } else if (std::isinf(range)) {
+      ++(std::isinf(point.maxCoeff()) ? report.no_return : report.too_near);
+    } else if (range < parameters.min_range) {
+      ++report.too_near;
+    } else {
+      if (range > parameters.max_range) {
+        ++report.too_far;
+      } else {
+        filtered.rays.push_back(static_cast<std::uint32_t>(filtered.points.size()));
+      }
+      filtered.points.push_back(point);
+    }
+  }
+}
+
+// One point of each cell, every one with the same probability (reservoir sampling).
+void thin(FilteredScan& scan, float cell_size, Random& random) {
+  struct Cell {
+    std::uint32_t points = 0;
+    std::uint32_t place = 0;  // in kept
+  };
+  CellTable<Cell> cells(cell_size, scan.rays.size());
+  std::vector<std::uint32_t> kept;
+  for (const std::uint32_t ray : scan.rays) {
+    Cell& cell = cells.at(scan.points[ray]);
+    if (cell.points++ == 0) {
+      cell.place = static_cast<std::uint32_t>(kept.size());
+      kept.push_back(ray);
+    } else if (random.uniform() * static_cast<float>(cell.points) < 1.0F) {
+      kept[cell.place] = ray;
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  scan.report.thinned = static_cast<std::uint32_t>(scan.rays.size() - kept.size());
+  scan.rays = std::move(kept);
+}
+
+}  // namespace
+
+FilteredScan filterScan(const LidarScan& scan, double radius, const ScanParameters& parameters, Random& random) {
+  FilteredScan filtered;
+  filtered.report.points_in = static_cast<std::uint32_t>(scan.points.size());
+  sortReturns(scan, parameters, filtered);
+  if (parameters.thinning > 0.0) thin(filtered, static_cast<float>(parameters.thinning * radius), random);
+  return filtered;
+}
+
+}  // namespace atom_map

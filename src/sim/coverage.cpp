@@ -1,0 +1,30 @@
+#include "atom_mapping/sim/coverage.h"
+
+#include "atom_mapping/base/random.h"
+
+namespace atom_map {
+
+Coverage measureCoverage(const std::vector<ObservedRay>& rays, double radius, const AskOccupancy& ask,
+                         const AskTrueDistance& true_distance, std::uint64_t seed) {
+  Coverage coverage;
+  Random random(seed);
+  for (const ObservedRay& ray : rays) {
+    const Eigen::Vector3d along = ray.end - ray.sensor;
+    const double range = along.norm();
+    const Eigen::Vector3d direction = along / range;
+    const double drawn = random.uniform();
+    coverage.surface.count(ask(ray.end - radius * ray.normal.value_or(-direction)) == Occupancy::kOccupied);
+    if (ray.thin) coverage.thin.count(ask(ray.end) == Occupancy::kOccupied);
+
+    if (range <= 2.0 * radius) continue;
+    const Eigen::Vector3d point = ray.sensor + drawn * (range - 2.0 * radius) * direction;
+    if (true_distance && true_distance(point) < radius) continue;
+    const Occupancy occupancy = ask(point);
+    coverage.free.count(occupancy == Occupancy::kFree);
+    coverage.false_occupied.count(occupancy == Occupancy::kOccupied);
+    coverage.unknown.count(occupancy == Occupancy::kUnknown);
+  }
+  return coverage;
+}
+
+}  // namespace atom_map
