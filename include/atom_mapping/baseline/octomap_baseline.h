@@ -1,0 +1,38 @@
+// The map that users compare with: liboctomap, fed with the same returns (paper V-B).
+#pragma once
+
+#include <octomap/OcTree.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "atom_mapping/base/types.h"
+#include "atom_mapping/query/occupancy.h"
+
+namespace atom_map {
+
+// Side of the cubic voxel that holds as much as an atom: r (4 pi / 3)^(1/3). Metres.
+double equalVolumeVoxel(double radius);
+
+class OctomapBaseline {
+ public:
+  // OctoMap's own defaults (hit 0.7, miss 0.4, clamps 0.12 and 0.97), depth 16. `resolution`: side of a voxel, m.
+  // Without pruning no node is ever joined (the paper's setting); with it, the tree is pruned after each scan.
+  explicit OctomapBaseline(double resolution, bool prune = false);
+
+  // Merges the returns of one scan, in the sensor's frame. `sensor`: sensor frame to map frame.
+  void insertScan(const std::vector<Eigen::Vector3f>& returns, const Pose& sensor);
+
+  // Of a point of the map frame, as the voxel around it says.
+  Occupancy classify(const Eigen::Vector3d& point) const;
+
+  const octomap::OcTree& tree() const { return tree_; }
+  octomap::OcTree& tree() { return tree_; }
+
+ private:
+  octomap::OcTree tree_;
+  bool prune_;
+};
+
+}  // namespace atom_map
