@@ -1,9 +1,10 @@
 # The ROS library, and one program a file of src/apps.
 include_directories(include SYSTEM ${catkin_INCLUDE_DIRS})
+find_package(yaml-cpp REQUIRED)
 
 if(ros_sources)
   add_library(${PROJECT_NAME}_ros ${ros_sources})
-  target_link_libraries(${PROJECT_NAME}_ros ${ATOM_MAPPING_CORE_LIBRARIES} ${catkin_LIBRARIES})
+  target_link_libraries(${PROJECT_NAME}_ros ${ATOM_MAPPING_CORE_LIBRARIES} ${catkin_LIBRARIES} yaml-cpp)
   target_compile_options(${PROJECT_NAME}_ros PRIVATE ${ATOM_MAPPING_WARNINGS})
   add_dependencies(${PROJECT_NAME}_ros ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
 endif()

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <geometry_msgs/Transform.h>
+
+#include <stdexcept>
+
+#include "atom_mapping/base/types.h"
+
+namespace atom_mapping {
+
+// A transform that is no rigid motion, or reaches beyond the Earth; what() says which.
+class BadTransform : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Throws BadTransform.
+atom_map::Pose toPose(const geometry_msgs::Transform& transform);
+
+}  // namespace atom_mapping
