@@ -2,6 +2,9 @@
 
 set(ATOM_MAPPING_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
 
+# A program loads only the libraries that it calls.
+add_link_options(LINKER:--as-needed)
+
 if(ATOM_MAPPING_SANITIZE)
   # -UNDEBUG: what is searched for faults also runs its asserts.
   add_compile_options(-fsanitize=${ATOM_MAPPING_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -UNDEBUG)
@@ -15,13 +18,22 @@ target_include_directories(atom_map PUBLIC
 target_link_libraries(atom_map PUBLIC Eigen3::Eigen Threads::Threads)
 target_compile_options(atom_map PRIVATE ${ATOM_MAPPING_WARNINGS})
 
-# surface, io: meshes, files, pictures
+# surface, io: meshes, files
 if(io_sources)
-  find_package(VTK REQUIRED QUIET)
+  find_package(PCL REQUIRED QUIET COMPONENTS common io)
   add_library(atom_map_io ${io_sources})
-  target_include_directories(atom_map_io SYSTEM PRIVATE ${VTK_INCLUDE_DIRS})
-  target_link_libraries(atom_map_io PUBLIC atom_map PRIVATE ${VTK_LIBRARIES})
+  # The files and not PCL's targets: those drag in all of VTK, MPI too.
+  target_include_directories(atom_map_io SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
+  target_link_libraries(atom_map_io PUBLIC atom_map ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY})
   target_compile_options(atom_map_io PRIVATE ${ATOM_MAPPING_WARNINGS})
+endif()
+
+# io/picture: a library of its own, since what draws must not weigh on the nodes
+if(VTK_FOUND)
+  add_library(atom_map_picture ${picture_sources})
+  target_link_libraries(atom_map_picture PUBLIC atom_map PRIVATE ${VTK_LIBRARIES} EGL)
+  target_compile_options(atom_map_picture PRIVATE ${ATOM_MAPPING_WARNINGS})
+  vtk_module_autoinit(TARGETS atom_map_picture MODULES ${VTK_LIBRARIES})
 endif()
 
 # sim: scenes with exact truth, simulated sensors

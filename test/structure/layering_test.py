@@ -20,7 +20,7 @@ PLACES = {
     'query': (3, 'Eigen/'),
     'surface': (4, 'Eigen/ pcl/ vtk'),
     'planning': (4, 'Eigen/'),
-    'io': (5, 'Eigen/ pcl/ vtk hdf5 H5 nlohmann/'),
+    'io': (5, 'Eigen/ EGL/ hdf5 H5 nlohmann/ pcl/ vtk'),
     'sim': (6, 'Eigen/ nlohmann/'),
     'baseline': (6, 'Eigen/ octomap/'),
     'ros': (7, None),

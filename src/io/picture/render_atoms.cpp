@@ -3,21 +3,18 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkErrorCode.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkOpenGLFXAAPass.h>
-#include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
-#include <vtkSSAOPass.h>
-#include <vtkSmartPointer.h>
+#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -27,176 +24,189 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "atom_mapping/io/picture/find_ceiling.h"
 #include "atom_mapping/io/picture/headless_gl.h"
+#include "atom_mapping/io/picture/light_atoms.h"
 
 namespace atom_map {
 namespace {
 
-using Rgb = Eigen::Vector3f;
+constexpr int kSupersampling = 2;       // pixels drawn a side for one of the picture
+constexpr double kViewAngle = 25.0;     // deg, vertical
+constexpr double kMargin = 0.07;        // of the picture, kept empty
+constexpr double kSunElevation = 40.0;  // deg
 
-Rgb heightColor(float share) {
-  static const std::array<Rgb, 6> kColors = {Rgb(0.28F, 0.36F, 0.52F), Rgb(0.16F, 0.56F, 0.63F), Rgb(0.45F, 0.75F, 0.48F),
-                                             Rgb(0.96F, 0.81F, 0.38F), Rgb(0.93F, 0.50F, 0.24F), Rgb(0.78F, 0.26F, 0.26F)};
-  const float scaled = std::clamp(share, 0.0F, 1.0F) * (kColors.size() - 1);
-  const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(scaled), kColors.size() - 2);
-  return kColors[below] + (kColors[below + 1] - kColors[below]) * (scaled - static_cast<float>(below));
+double radians(double degrees) {
+  return degrees * M_PI / 180.0;
 }
 
-// Which cubic cells of space hold an atom.
-class CellGrid {
- public:
-  CellGrid(const std::vector<Eigen::Vector3f>& centers, float side) : side_(side) {
-    Eigen::AlignedBox3f box;
-    for (const Eigen::Vector3f& center : centers) box.extend(center);
-    side_ = std::max(side_, std::cbrt(box.volume() / 3e8F));
-    low_ = box.min() - Eigen::Vector3f::Constant(side_);
-    size_ = ((box.sizes() / side_).array() + 3.0F).cast<long>();
-    filled_.resize(static_cast<std::size_t>(size_.prod()));
-    for (const Eigen::Vector3f& center : centers) filled_[index(cellOf(center))] = true;
-  }
-  float side() const { return side_; }
-  bool filled(const Eigen::Vector3f& point) const {
-    const Cell cell = cellOf(point);
-    return (cell >= 0).all() && (cell < size_).all() && filled_[index(cell)];
-  }
-
- private:
-  using Cell = Eigen::Array<long, 3, 1>;
-  Cell cellOf(const Eigen::Vector3f& point) const { return ((point - low_) / side_).array().floor().cast<long>(); }
-  std::size_t index(const Cell& cell) const {
-    return static_cast<std::size_t>((cell.x() * size_.y() + cell.y()) * size_.z() + cell.z());
-  }
-  float side_;
-  Eigen::Vector3f low_;
-  Cell size_;
-  std::vector<bool> filled_;
-};
-
-float openness(const CellGrid& grid, const Eigen::Vector3f& center, const std::vector<Eigen::Vector3f>& dirs, float reach) {
-  float open = 0;
-  for (const auto& d : dirs) {
-    float t = 1.8F * grid.side();
-    while (t < reach && !grid.filled(center + t * d)) t += grid.side()*0.7F;
-    open += std::min(1.0F, t / reach);
-  }
-  return open / static_cast<float>(dirs.size());
+// Unit vector; angles in degrees.
+Eigen::Vector3d direction(double azimuth, double elevation) {
+  return {std::cos(radians(azimuth)) * std::cos(radians(elevation)),
+          std::sin(radians(azimuth)) * std::cos(radians(elevation)), std::sin(radians(elevation))};
 }
 
-vtkSmartPointer<vtkPolyData> makeSpheres(const std::vector<Eigen::Vector3f>& centers, float radius, const RenderOptions& o) {
-  std::vector<float> z;
-  for (const auto& c : centers) z.push_back(c.z());
-  std::sort(z.begin(), z.end());
-  const float low = z[z.size() / 50], high = z[z.size() - 1 - z.size() / 100];
-  vtkNew<vtkPolyData> spheres;
+// The sun stands at the camera's right.
+Eigen::Vector3d sunDirection(const RenderOptions& options) {
+  return direction(options.azimuth + 70.0, kSunElevation);
+}
+
+std::vector<Eigen::Vector3f> cutAway(const std::vector<Eigen::Vector3f>& centers, float radius,
+                                     const RenderOptions& options) {
+  std::vector<Eigen::Vector3f> kept = centers;
+  if (kept.empty()) throw std::runtime_error("nothing to draw: the map has no occupied atom");
+  const double cut = std::isnan(options.cut_z) ? findCeiling(centers, radius).value_or(INFINITY) : options.cut_z;
+  kept.erase(std::remove_if(kept.begin(), kept.end(), [cut](const auto& center) { return center.z() > cut; }),
+             kept.end());
+  if (kept.empty()) throw std::runtime_error("nothing to draw: every occupied atom lies above the cut");
+  return kept;
+}
+
+// From blue ground to red heights.
+Eigen::Vector3f heightColor(float share) {
+  static const std::array<Eigen::Vector3f, 6> kColors = {
+      Eigen::Vector3f(0.30F, 0.40F, 0.60F), Eigen::Vector3f(0.15F, 0.60F, 0.68F), Eigen::Vector3f(0.45F, 0.78F, 0.50F),
+      Eigen::Vector3f(0.99F, 0.84F, 0.40F), Eigen::Vector3f(0.96F, 0.54F, 0.26F), Eigen::Vector3f(0.86F, 0.30F, 0.30F)};
+  const float place = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(kColors.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(place), kColors.size() - 2);
+  return kColors[below] + (place - static_cast<float>(below)) * (kColors[below + 1] - kColors[below]);
+}
+
+// The value that the given share of the values lies under.
+double quantile(std::vector<double> values, double share) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<Eigen::Vector3f> colorAtoms(const std::vector<Eigen::Vector3f>& centers, float radius,
+                                        const RenderOptions& options) {
+  const std::vector<float> light = lightAtoms(centers, radius, sunDirection(options).cast<float>());
+  std::vector<double> heights;
+  for (const Eigen::Vector3f& center : centers) heights.push_back(center.z());
+  const auto low = static_cast<float>(quantile(heights, 0.02));
+  const auto span = std::max(static_cast<float>(quantile(heights, 0.99)) - low, 1.0F);
+
+  std::vector<Eigen::Vector3f> colors;
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    const Eigen::Vector3f color = heightColor((centers[i].z() - low) / span) * (0.25F + 0.95F * light[i]);
+    colors.push_back(color.cwiseMin(1.0F));
+  }
+  return colors;
+}
+
+vtkNew<vtkPolyData> makePoints(const std::vector<Eigen::Vector3f>& centers,
+                               const std::vector<Eigen::Vector3f>& colors) {
   vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  colors->SetName("color");
-  std::vector<Eigen::Vector3f> sky, sun;
-  for (int i = 0; i < 48; ++i) {
-    const float a = 2.39996F * i, u = (i + 0.5F) / 48, s = std::sqrt(u);
-    sky.emplace_back(s * std::cos(a), s * std::sin(a), std::sqrt(1 - u));
-  }
-  const float az = (o.azimuth + 70) * M_PI / 180, el = 40 * M_PI / 180;
-  for (int i = 0; i < 16; ++i) {
-    const float a = 2.39996F * i, s = 0.06F * std::sqrt(i / 16.0F);
-    sun.push_back(Eigen::Vector3f(std::cos(az + s * std::cos(a)) * std::cos(el + s * std::sin(a)), std::sin(az + s * std::cos(a)) * std::cos(el+ s * std::sin(a)), std::sin(el+ s * std::sin(a))));
-  }
-  const CellGrid grid(centers, 2 * radius);
-  for (const auto& c : centers) {
-    const vtkIdType id = points->InsertNextPoint(c.x(), c.y(), c.z());
+  vtkNew<vtkCellArray> vertices;  // the mapper draws nothing without cells
+  vtkNew<vtkUnsignedCharArray> scalars;
+  scalars->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    const vtkIdType id = points->InsertNextPoint(centers[i].data());
     vertices->InsertNextCell(1, &id);
-    float light = 0.30F + 0.40F * openness(grid, c, sky, 4.0F) + 0.35F * openness(grid, c, sun, 20.0F);
-    if (getenv("NOBAKE")) light = 1;
-    const Rgb color = (heightColor((c.z() - low) / std::max(high - low, 1e-3F)) * light * 255.0F).cwiseMin(255.0F);
-    colors->InsertNextTuple3(color.x(), color.y(), color.z());
+    const Eigen::Vector3f color = 255.0F * colors[i];
+    scalars->InsertNextTuple3(color.x(), color.y(), color.z());
   }
-  spheres->SetPoints(points);
-  spheres->SetVerts(vertices);
-  spheres->GetPointData()->SetScalars(colors);
-  return spheres;
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->SetVerts(vertices);
+  cloud->GetPointData()->SetScalars(scalars);
+  return cloud;
 }
 
-void frame(vtkCamera* camera, const std::vector<Eigen::Vector3f>& centers, const RenderOptions& o) {
-  const double az = o.azimuth * M_PI / 180, el = o.elevation * M_PI / 180, half = 12.5 * M_PI / 180;
-  const Eigen::Vector3d back(std::cos(az) * std::cos(el), std::sin(az) * std::cos(el), std::sin(el));
-  const Eigen::Vector3d right(-std::sin(az), std::cos(az), 0), up = back.cross(right);
-  const double ty = std::tan(half) * 0.93, tx = ty * o.width / o.height;
-  // Each point confines the eye to a cone: four half planes.
-  double r = -1e30, l = -1e30, t = -1e30, b = -1e30;
-  for (const auto& c : centers) {
-    const Eigen::Vector3d p = c.cast<double>();
-    r = std::max(r, p.dot(right) + tx * p.dot(back));
-    l = std::max(l, -p.dot(right) + tx * p.dot(back));
-    t = std::max(t, p.dot(up) + ty * p.dot(back));
-    b = std::max(b, -p.dot(up) + ty * p.dot(back));
-  }
-  const double depth = std::max((r + l) / (2 * tx), (t + b) / (2 * ty));
-  const Eigen::Vector3d eye = right * (r - l) / 2 + up * (t - b) / 2 + back * depth;
-  const Eigen::Vector3d at = eye - back;
+// Places the camera as near as it sees all atoms, save some stray ones. Each atom confines it to a cone around the
+// viewing direction; their common part is found for each side of the picture alone.
+void frameAtoms(const std::vector<Eigen::Vector3f>& centers, const RenderOptions& options, vtkCamera* camera) {
+  const Eigen::Vector3d back = direction(options.azimuth, options.elevation);
+  const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(back).normalized();
+  const Eigen::Vector3d up = back.cross(right);
+  const double slope_y = std::tan(radians(kViewAngle / 2.0)) * (1.0 - kMargin);
+  const double slope_x = slope_y * options.width / options.height;
+  const auto bound = [&](const Eigen::Vector3d& side, double slope) {
+    std::vector<double> bounds;
+    for (const Eigen::Vector3f& center : centers) bounds.push_back(center.cast<double>().dot(side + slope * back));
+    return quantile(std::move(bounds), 0.9995);
+  };
+  const double at_right = bound(right, slope_x);
+  const double at_left = bound(-right, slope_x);
+  const double at_top = bound(up, slope_y);
+  const double at_bottom = bound(-up, slope_y);
+
+  const double distance = std::max((at_right + at_left) / (2.0 * slope_x), (at_top + at_bottom) / (2.0 * slope_y));
+  const Eigen::Vector3d eye = (at_right - at_left) / 2.0 * right + (at_top - at_bottom) / 2.0 * up + distance * back;
+  const Eigen::Vector3d target = eye - back;
   camera->SetPosition(eye.data());
-  camera->SetFocalPoint(at.data());
-  camera->SetViewUp(0, 0, 1);
-  camera->SetViewAngle(25);
+  camera->SetFocalPoint(target.data());
+  camera->SetViewUp(up.data());
+  camera->SetViewAngle(kViewAngle);
+}
+
+void addLights(const RenderOptions& options, vtkRenderer* renderer) {
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  const Eigen::Vector3d from = sunDirection(options);
+  sun->SetPosition(from.data());
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  sun->SetIntensity(0.6);
+  renderer->AddLight(sun);
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToHeadlight();
+  lamp->SetIntensity(0.55);
+  renderer->AddLight(lamp);
+}
+
+void writePng(vtkRenderWindow* window, const std::string& file) {
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  image->ShouldRerenderOff();
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(image->GetOutputPort());
+  shrink->SetShrinkFactors(kSupersampling, kSupersampling, 1);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shrink->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError) throw std::runtime_error("cannot write the picture " + file);
 }
 
 }  // namespace
 
 void renderAtoms(const std::vector<Eigen::Vector3f>& centers, float radius, const RenderOptions& options,
                  const std::string& png_file) {
-  const HeadlessGl gl;
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetIsCurrent(true);
-  window->SetOwnContext(0);
-  window->SetReadyForRendering(true);
-  window->SetMapped(true);
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(2*options.width, 2*options.height);
+  const std::vector<Eigen::Vector3f> shown = cutAway(centers, radius, options);
 
-  const auto spheres = makeSpheres(centers, radius, options);
   vtkNew<vtkOpenGLSphereMapper> mapper;
-  mapper->SetInputData(spheres);
+  mapper->SetInputData(makePoints(shown, colorAtoms(shown, radius, options)));
   mapper->SetRadius(radius);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.25);
-  actor->GetProperty()->SetDiffuse(0.85);
-  actor->GetProperty()->SetSpecular(0.1);
-  actor->GetProperty()->SetSpecularPower(20);
-  vtkNew<vtkOpenGLRenderer> renderer;
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.80);
+  actor->GetProperty()->SetSpecular(0.12);
+  actor->GetProperty()->SetSpecularPower(15.0);
+
+  vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
   renderer->GradientBackgroundOn();
-  if (getenv("DARK")) { renderer->SetBackground(0.06, 0.075, 0.10); renderer->SetBackground2(0.16, 0.19, 0.24);} else {renderer->SetBackground(0.80, 0.85, 0.90);
-  renderer->SetBackground2(0.97, 0.98, 0.99);}
-  window->AddRenderer(renderer);
-  frame(renderer->GetActiveCamera(), centers, options);
-  renderer->ResetCameraClippingRange();
+  renderer->SetBackground(0.05, 0.065, 0.09);
+  renderer->SetBackground2(0.17, 0.20, 0.26);
+  addLights(options, renderer);
 
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkSSAOPass> ssao;
-  ssao->SetRadius(8.0 * radius);
-  ssao->SetBias(0.2 * radius);
-  ssao->SetKernelSize(128);
-  ssao->BlurOn();
-  ssao->SetDelegatePass(steps);
-  vtkNew<vtkOpenGLFXAAPass> fxaa;
-  fxaa->SetDelegatePass(ssao);
-  if (getenv("NOSSAO")) renderer->SetPass(steps); else renderer->SetPass(ssao);
+  const HeadlessGl gl;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetOwnContext(0);
+  window->SetIsCurrent(true);
+  window->SetMapped(true);
+  window->SetReadyForRendering(true);
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(kSupersampling * options.width, kSupersampling * options.height);
+  window->AddRenderer(renderer);
+  frameAtoms(shown, options, renderer->GetActiveCamera());
+  renderer->ResetCameraClippingRange();
   window->Render();
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(window);
-  image->ReadFrontBufferOff();
-  image->ShouldRerenderOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(png_file.c_str());
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(image->GetOutputPort());
-  shrink->SetShrinkFactors(2, 2, 1);
-  shrink->AveragingOn();
-  writer->SetInputConnection(shrink->GetOutputPort());
-  writer->Write();
+  writePng(window, png_file);
 }
 
 }  // namespace atom_map
