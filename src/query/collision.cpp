@@ -1,0 +1,64 @@
+#include "atom_mapping/query/collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "atom_mapping/query/occupancy.h"
+
+namespace atom_map {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr float kMaxSteps = 1000.0F;  // from center to rim; such a sphere leaves any map
+
+bool overlapsOccupied(const AtomMap& map, const Vector3f& center, float radius) {
+  const float sign = map.mode() == Mode::kOccupancy ? 1.0F : -1.0F;
+  bool found = false;
+  map.atoms().forEachWithin(center, radius + map.radius(), [&](ConstAtomRef atom, float /*squared_distance*/) {
+    found = found || classify(sign * atom.value()) == Occupancy::kOccupied;
+  });
+  return found;
+}
+
+// Remembers the atom that it found last, which often makes the next point known as well.
+class KnownSpace {
+ public:
+  explicit KnownSpace(const AtomMap& map) : map_(map), reach_(2.0F * map.radius()) {}
+
+  bool contains(const Vector3f& point) {
+    if ((last_ - point).squaredNorm() < reach_ * reach_) return true;
+    const auto nearest = map_.atoms().nearest(point, reach_);
+    if (nearest) last_ = nearest->center;
+    return nearest.has_value();
+  }
+
+ private:
+  const AtomMap& map_;
+  float reach_;
+  Vector3f last_ = Vector3f::Constant(std::numeric_limits<float>::infinity());
+};
+
+bool reachesUnknown(const AtomMap& map, const Vector3f& center, float radius) {
+  KnownSpace known(map);
+  const auto steps = static_cast<int>(std::min(std::ceil(radius / map.radius()), kMaxSteps));
+  const float spacing = steps > 0 ? radius / static_cast<float>(steps) : 0.0F;
+  for (int z = -steps; z <= steps; ++z) {
+    for (int y = -steps; y <= steps; ++y) {
+      for (int x = -steps; x <= steps; ++x) {
+        if (x * x + y * y + z * z > steps * steps) continue;
+        if (!known.contains(center + spacing * Eigen::Vector3i(x, y, z).cast<float>())) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool collides(const AtomMap& map, const Vector3f& center, float radius, bool unknown_is_free) {
+  return overlapsOccupied(map, center, radius) || (!unknown_is_free && reachesUnknown(map, center, radius));
+}
+
+}  // namespace atom_map
