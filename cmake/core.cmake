@@ -20,11 +20,13 @@ target_compile_options(atom_map PRIVATE ${ATOM_MAPPING_WARNINGS})
 
 # surface, io: meshes, files
 if(io_sources)
-  find_package(PCL REQUIRED QUIET COMPONENTS common io)
+  include_directories(SYSTEM ${PCL_INCLUDE_DIRS})
   add_library(atom_map_io ${io_sources})
-  # The files and not PCL's targets: those drag in all of VTK, MPI too.
-  target_include_directories(atom_map_io SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
-  target_link_libraries(atom_map_io PUBLIC atom_map ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY})
+  target_link_libraries(atom_map_io PUBLIC atom_map)
+  if(PCL_FOUND)
+    # The files and not PCL's targets: those drag in all of VTK, MPI too.
+      target_link_libraries(atom_map_io PUBLIC ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY})
+  endif()
   target_compile_options(atom_map_io PRIVATE ${ATOM_MAPPING_WARNINGS})
 endif()
 

@@ -8,6 +8,16 @@ file(GLOB baseline_sources CONFIGURE_DEPENDS src/baseline/*.cpp)
 file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
 file(GLOB program_sources CONFIGURE_DEPENDS src/apps/*.cpp)
 
+# PCL before VTK, which it also looks for, and so would change what VTK_LIBRARIES means. Only a core-only build does without.
+if(ATOM_MAPPING_CORE_ONLY)
+  find_package(PCL QUIET COMPONENTS common io)
+else()
+  find_package(PCL REQUIRED QUIET COMPONENTS common io)
+endif()
+if(NOT PCL_FOUND)
+  list(FILTER io_sources EXCLUDE REGEX "/(atom_table|export_atoms)\\.cpp$")
+endif()
+
 set(ATOM_MAPPING_CORE_LIBRARIES atom_map)
 if(io_sources)
   list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map_io)

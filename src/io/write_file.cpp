@@ -1,0 +1,46 @@
+#include "atom_mapping/io/write_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace atom_map {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& file, int error) {
+  throw std::runtime_error("cannot write " + file + ": " + std::generic_category().message(error));
+}
+
+}  // namespace
+
+void writeFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
+  checkWritable(file);
+  const std::string part = file + ".part";
+  errno = 0;
+  std::ofstream out(part, std::ios::binary);
+  if (out) write(out);
+  out.close();
+  if (!out) {
+    const int error = errno;
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    fail(file, error);
+  }
+  std::error_code error;
+  fs::rename(part, file, error);
+  if (error) fail(file, error.value());
+}
+
+void checkWritable(const std::string& file) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (fs::is_directory(file)) fail(file, EISDIR);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, errno);
+}
+
+}  // namespace atom_map
