@@ -44,15 +44,17 @@ Mapper::Mapper(const MappingParameters& parameters)
 ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   const std::lock_guard scan_lock(scan_mutex_);
   Random random(mixBits(parameters_.seed) + scans_++);
-  write([&](AtomMap& map) { map.anchor(sensor.translation()); });
   Eigen::Isometry3f pose(sensor.linear().cast<float>());  // sensor frame to the map's local frame
-  pose.translation() = map_.toLocal(sensor.translation());
+  pose.translation() = write([&](AtomMap& map) {
+    map.anchor(sensor.translation());
+    return map.toLocal(sensor.translation());
+  });
   ScanReport report;
 
   const FilteredScan filtered =
       timed(report.seconds.filter, [&] { return filterScan(scan, parameters_.radius, parameters_.scan, random); });
   const std::vector<SurfacePoint> surface = timed(report.seconds.normals, [&] {
-    return transformed(estimateSurface(filtered, 2.0F * map_.radius(), parameters_.scan, report.normals), pose);
+    return transformed(estimateSurface(filtered, parameters_.scan, report.normals), pose);
   });
   const Candidates interleaved = timed(report.seconds.rays, [&] {
     const auto no_returns =

@@ -9,7 +9,9 @@
 namespace atom_map {
 
 OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters)
-    : map_(map), max_log_odds_(static_cast<float>(parameters.max_log_odds)) {
+    : map_(map),
+      max_log_odds_(static_cast<float>(parameters.max_log_odds)),
+      hold_distance_(map.radius() + static_cast<float>(parameters.hold_margin)) {
   assert(map.mode() == Mode::kOccupancy);
 }
 
@@ -24,16 +26,18 @@ void OccupancyMerge::add(const Candidate& candidate) {
   map_.atoms().forEachWithin(candidate.center, AtomMap::kOverlapTolerance * diameter,
                              [&](AtomRef atom, float squared_distance) {
                                overlaps = true;
-                               if (occupied) raised_.insert(atom.center());
-                               if (!occupied && raised_.contains(atom.center())) return;
+                               if (occupied && squared_distance < hold_distance_ * hold_distance_)
+                                 held_.insert(atom.center());
+                               if (!occupied && held_.contains(atom.center())) return;
                                const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter);
                                const float log_odds = atom.value() + overlap * candidate.value;  // Eq. (3)
                                atom.value() = std::clamp(log_odds, -max_log_odds_, max_log_odds_);
                                ++report_.updates;
                              });
   if (overlaps) return;
-  map_.atoms().insert(candidate.center, &candidate.value);
-  if (occupied) raised_.insert(candidate.center);
+  const float log_odds = std::clamp(candidate.value, -max_log_odds_, max_log_odds_);
+  map_.atoms().insert(candidate.center, &log_odds);
+  if (occupied) held_.insert(candidate.center);
   ++report_.inserted;
 }
 

@@ -9,6 +9,8 @@
 namespace atom_map {
 namespace {
 
+constexpr double kFarthest = 1e4;  // m, beyond any lidar: no more than noise
+
 // Sorts the returns into those that serve and those that are only counted. A return beyond max_range is not traced, but
 // tells of the surface that nearer ones lie on.
 void sortReturns(const LidarScan& scan, const ScanParameters& parameters, FilteredScan& filtered) {
@@ -16,16 +18,17 @@ void sortReturns(const LidarScan& scan, const ScanParameters& parameters, Filter
   filtered.points.reserve(scan.points.size());
   filtered.rays.reserve(scan.points.size());
   for (const Eigen::Vector3f& point : scan.points) {
-    const float range = point.norm();
+    const double range = point.cast<double>().norm();  // the square of a float may overflow
     if (point.hasNaN()) {
       ++report.nan;
-    } else if (std::isinf(range)) {
-      ++(std::isinf(point.maxCoeff()) ? report.no_return : report.too_near);
-    } else if (range < parameters.min_range) {
+    } else if (std::isinf(point.maxCoeff())) {
+      ++report.no_return;
+    } else if (std::isinf(point.minCoeff()) || range < parameters.min_range || range <= 0.0) {
       ++report.too_near;
     } else {
       if (range > parameters.max_range) {
         ++report.too_far;
+        if (range > kFarthest) continue;
       } else {
         filtered.rays.push_back(static_cast<std::uint32_t>(filtered.points.size()));
       }

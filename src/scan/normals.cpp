@@ -180,7 +180,7 @@ Normal refine(const Neighborhood& neighbors, Eigen::Vector3f normal, const Eigen
 
 }  // namespace
 
-std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, float max_width, const ScanParameters& parameters,
+std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, const ScanParameters& parameters,
                                           NormalReport& report) {
   const RangeImage image(scan.points, parameters.horizontal_resolution * kDegree,
                          parameters.vertical_resolution * kDegree);
@@ -193,7 +193,8 @@ std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, float max_wi
     const Normal normal = refine(neighbors, agreed, towards_sensor, static_cast<float>(parameters.range_noise));
     report.from_line += normal.fit == Fit::kLine ? 1 : 0;
     report.from_ray += normal.fit == Fit::kNone ? 1 : 0;
-    surface.push_back({scan.points[ray], normal.direction, halfWidth(scan, image, ray, max_width)});
+    surface.push_back(
+        {scan.points[ray], normal.direction, halfWidth(scan, image, ray, static_cast<float>(parameters.thin_width))});
   }
   return surface;
 }

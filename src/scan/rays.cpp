@@ -28,8 +28,8 @@ class RayTracer {
                      random) {}
 
   // Step A: one occupied atom behind the surface and tangent to it.
-  // Choice: not deeper than the middle of a thing thinner than an atom. Behind it the atom would lie in space that
-  // other rays find free.
+  // Choice: behind the front of a thin thing it lies half as deep and never deeper than the thing's middle. Deeper, it
+  // would lie in space that the rays beside the thing find free.
   // Choice: none is dropped by interleaving, which is for the crowd near the sensor: thin things would vanish.
   void traceBehind(const SurfacePoint& point, Candidates& candidates) const {
     candidates.occupied.push_back({point.position - depth(point) * point.normal, hit_});
@@ -53,7 +53,9 @@ class RayTracer {
   }
 
  private:
-  float depth(const SurfacePoint& point) const { return std::min(radius_, point.half_width); }
+  float depth(const SurfacePoint& point) const {
+    return std::isinf(point.half_width) ? radius_ : std::min(0.5F * radius_, point.half_width);
+  }
 
   void traceFree(const Eigen::Vector3f& start, const Eigen::Vector3f& direction, float first, float range,
                  float resolution, Candidates& candidates) {

@@ -34,6 +34,7 @@ void forEachParameter(Parameters& p, Visit&& visit) {
   visit("scan/vertical_resolution", p.scan.vertical_resolution, Range{0.01, 45.0});
   visit("scan/range_noise", p.scan.range_noise, Range{0.0, 1.0});
   visit("scan/normal_support", p.scan.normal_support, Range{0.0, 10.0, true});
+  visit("scan/thin_width", p.scan.thin_width, Range{0.0, 10.0});
   visit("scan/clear_no_returns", p.scan.clear_no_returns);
 
   visit("rays/lambda", p.rays.lambda, Range{0.0, kAny});
@@ -43,6 +44,7 @@ void forEachParameter(Parameters& p, Visit&& visit) {
 
   visit("occupancy/hit_probability", p.occupancy.hit_probability, Range{0.5, 0.999, true});
   visit("occupancy/miss_probability", p.occupancy.miss_probability, Range{0.001, 0.499});
+  visit("occupancy/hold_margin", p.occupancy.hold_margin, Range{0.0, 100.0});
   visit("occupancy/max_log_odds", p.occupancy.max_log_odds, Range{0.1, 100.0});
 
   visit("signed_distance/xi", p.signed_distance.xi, Range{0.0, kAny, true});

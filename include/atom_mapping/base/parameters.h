@@ -19,6 +19,7 @@ struct ScanParameters {
   double vertical_resolution = 2.0;    // deg between rings (VLP-16)
   double range_noise = 0.02;           // m, standard deviation of one range
   double normal_support = 0.15;        // m, half the least width of the neighbourhood that a normal is fitted to
+  double thin_width = 0.5;             // m, things up to this width that stand free are kept as thin
   bool clear_no_returns = false;       // rays without an echo free the space up to max_range
 };
 
@@ -34,6 +35,7 @@ struct RayParameters {
 struct OccupancyParameters {
   double hit_probability = 0.7;   // occupancy that a return tells of
   double miss_probability = 0.4;  // occupancy that a ray passing by tells of
+  double hold_margin = 0.25;      // m, how far beyond a radius from its atom a return keeps others from being lowered
   double max_log_odds = 3.5;      // clamp, the same on both sides: an unequal one shifts the interpolated surface
 };
 

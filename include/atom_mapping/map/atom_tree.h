@@ -4,11 +4,11 @@
 // chains of nodes with one child are never stored. So the tree's shape follows from where atoms lie and not from the
 // order in which they came: a straight drive, sorted input or a plane cannot degenerate it, and it is never rebuilt.
 //
-// Complexity: the depth is at most 3 log2(extent / cell) + 1. For atoms no nearer to one another than a cell, insertion
-// and removal cost O(depth), a search O(depth + atoms in the leaves that it touches). Atoms within the same cell cannot
-// be separated: a leaf holds them all, however many.
-// Thread safety: const members may run side by side; any other member needs the tree alone.
-// Lifetime: an AtomRef is valid until the next insertion or removal; a Neighbor is a copy.
+// Complexity: the depth is at most 3 (ceil(log2(n)) + 1), n the cells on the longest axis of what the tree holds. For
+// atoms no nearer to one another than a cell, insertion and removal cost O(depth), a search O(depth + atoms in the
+// leaves that it touches). Atoms within the same cell cannot be separated: a leaf holds them all, however many. Thread
+// safety: const members may run side by side; any other member needs the tree alone. Lifetime: an AtomRef is valid
+// until the next insertion or removal; a Neighbor is a copy.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -33,7 +33,8 @@ class Mapper {
     return std::forward<F>(f)(map_);
   }
 
-  // Calls f(AtomMap&), alone.
+  // Calls f(AtomMap&), alone. f may change and remove atoms, but must not reset or anchor the map: a scan that is being
+  // merged would be misplaced.
   template <class F>
   auto write(F&& f) {
     const std::unique_lock lock(mutex_);

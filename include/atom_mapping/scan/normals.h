@@ -15,13 +15,13 @@ struct NormalReport {
   std::uint32_t from_ray = 0;   // no neighbours that agree: the normal is the ray's direction
 };
 
-// A surface point for each of the scan's rays, in its order and frame. Things wider than max_width (m) get no width.
+// A surface point for each of the scan's rays, in its order and frame.
 //
 // A VLP-16's rings lie far apart, so that the nearest points are all on one ring, and a plane through a line is
 // arbitrary. Choice: the neighbours come from the range image, some from each of five rings; the plane that most of
 // them agree on (least sum of truncated squared distances over planes through the point and two of them) is refined by
 // least squares over those that agree. So edges, steps and thin things keep the plane of their own side.
-std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, float max_width, const ScanParameters& parameters,
+std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, const ScanParameters& parameters,
                                           NormalReport& report);
 
 }  // namespace atom_map
