@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# From nothing to a map: sets up, builds, simulates a drive with a VLP-16, maps it and draws demo_output/map.png.
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+usage() {
+  cat <<'USAGE'
+Usage: scripts/demo.sh [--scene NAME] [--bag FILE [--topic TOPIC]] [--radius METRES] [--rviz]
+  --scene NAME     scene to drive through: hall (default), campus, ...
+  --bag FILE       a recording to map instead, with the clouds' tf
+  --topic TOPIC    of its clouds (default /velodyne_points)
+  --radius METRES  of the atoms (default 0.25)
+  --rviz           play the bag into the node and watch in rviz, instead of mapping it at full speed
+USAGE
+}
+
+scene=hall scans=400 bag='' topic=/velodyne_points radius=0.25 rviz=false
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --scene) scene=${2:?} && shift 2 ;;
+    --bag) bag=$(realpath "${2:?}") && shift 2 ;;
+    --topic) topic=${2:?} && shift 2 ;;
+    --radius) radius=${2:?} && shift 2 ;;
+    --rviz) rviz=true && shift ;;
+    --help | -h) usage && exit 0 ;;
+    *) usage >&2 && exit 2 ;;
+  esac
+done
+
+output=$repository/demo_output
+mkdir -p "$output"
+echo "Building, the log is in demo_output/build.log"
+"$repository/scripts/build.sh" all >"$output/build.log" 2>&1 || { tail -n 40 "$output/build.log"; exit 1; }
+sourceUnchecked "$workspace/devel/setup.bash"
+programs=$workspace/devel/lib/atom_mapping
+
+if [[ -z $bag ]]; then
+  bag=$output/$scene.bag
+  if [[ ! $bag -nt $programs/simulate_bag ]]; then
+    "$programs/simulate_bag" --scene "$scene" --scans $scans --out "$bag.part"
+    mv "$bag.part" "$bag"
+  fi
+fi
+
+if $rviz; then
+  export ROS_HOME=$workspace/ros_home
+  exec roslaunch atom_mapping demo.launch bag:="$bag" cloud_topic:="$topic" radius:="$radius"
+fi
+
+"$programs/atom_mapping_offline" --bag "$bag" --topic "$topic" --radius "$radius" \
+  --config "$repository/config/atom_mapping.yaml" --export "$output/atoms.ply"
+"$programs/render_map" "$output/atoms.ply" --out "$output/map.png"
+echo "The map: demo_output/map.png, its atoms: demo_output/atoms.ply"
