@@ -112,12 +112,12 @@ Eigen::Vector3f agreedNormal(const Neighborhood& neighbors, const Eigen::Vector3
     best = normal;
   };
   for (const int row : {0, 1, 3, 4}) {
-    for (const int column : {0, 3, 4, 5, 8}) {
+    for (const int column : {0, 4, 8}) {
       const int across = neighbors.index[row][column];
       if (across < 0) continue;
       const Eigen::Vector3f line = neighbors.offset(across);
-      if (column >= 3 && column <= 5) propose(towards_sensor - line * (line.dot(towards_sensor) / line.squaredNorm()));
-      for (const int beside : {0, 2, 6, 8}) {
+      if (column == 4) propose(towards_sensor - line * (line.dot(towards_sensor) / line.squaredNorm()));
+      for (const int beside : {2, 6}) {
         const int along = neighbors.index[kRingsBeside][beside];
         if (along >= 0) propose(neighbors.offset(along).cross(line));
       }
