@@ -1,7 +1,7 @@
 #include "atom_mapping/scan/filter.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "atom_mapping/base/cell_table.h"
@@ -9,6 +9,8 @@
 namespace atom_map {
 namespace {
 
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr double kNearest = 1e-3;  // m, at the sensor itself: some drivers' mark of no return
 constexpr double kFarthest = 1e4;  // m, beyond any lidar: no more than noise
 
 // Sorts the returns into those that serve and those that are only counted. A return beyond max_range is not traced, but
@@ -21,9 +23,9 @@ void sortReturns(const LidarScan& scan, const ScanParameters& parameters, Filter
     const double range = point.cast<double>().norm();  // the square of a float may overflow
     if (point.hasNaN()) {
       ++report.nan;
-    } else if (std::isinf(point.maxCoeff())) {
+    } else if (point.maxCoeff() == kInfinity) {
       ++report.no_return;
-    } else if (std::isinf(point.minCoeff()) || range < parameters.min_range || range <= 0.0) {
+    } else if (point.minCoeff() == -kInfinity || range < std::max(parameters.min_range, kNearest)) {
       ++report.too_near;
     } else {
       if (range > parameters.max_range) {

@@ -6,9 +6,11 @@
 //
 // Complexity: the depth is at most 3 (ceil(log2(n)) + 1), n the cells on the longest axis of what the tree holds. For
 // atoms no nearer to one another than a cell, insertion and removal cost O(depth), a search O(depth + atoms in the
-// leaves that it touches). Atoms within the same cell cannot be separated: a leaf holds them all, however many. Thread
-// safety: const members may run side by side; any other member needs the tree alone. Lifetime: an AtomRef is valid
-// until the next insertion or removal; a Neighbor is a copy.
+// leaves that it touches). Atoms within the same cell cannot be separated: a leaf holds them all, however many.
+//
+// Thread safety: const members may run side by side; any other member needs the tree alone.
+//
+// Lifetime: an AtomRef is valid until the next insertion or removal; a Neighbor is a copy.
 #pragma once
 
 #include <Eigen/Geometry>
