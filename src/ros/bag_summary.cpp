@@ -1,0 +1,105 @@
+#include "atom_mapping/ros/bag_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numeric>
+#include <utility>
+
+namespace atom_mapping {
+namespace {
+
+using Count = std::uint32_t ScanReport::*;
+using Seconds = float ScanReport::*;
+
+std::uint64_t sum(const std::vector<ScanReport>& reports, Count count) {
+  return std::accumulate(reports.begin(), reports.end(), std::uint64_t{0},
+                         [&](std::uint64_t total, const ScanReport& report) { return total + report.*count; });
+}
+
+std::ostream& label(std::ostream& out, const char* text) {
+  return out << std::left << std::setw(18) << text << std::right;
+}
+
+}  // namespace
+
+MeanAndTail meanAndTail(std::vector<double> values) {
+  if (values.empty()) return {};
+  const auto count = static_cast<double>(values.size());
+  const auto tail = values.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
+  std::nth_element(values.begin(), tail, values.end());
+  return {std::accumulate(values.begin(), values.end(), 0.0) / count, *tail};
+}
+
+void BagSummary::add(const ScanOutcome& outcome) {
+  if (!outcome.drop) {
+    reports_.push_back(outcome.report);
+    return;
+  }
+  ++drops_[*outcome.drop];
+  if (first_drop_.empty()) first_drop_ = outcome.message;
+}
+
+void BagSummary::print(double seconds, std::ostream& out) const {
+  out << std::fixed;
+  printScans(seconds, out);
+  if (reports_.empty()) return;
+  printPoints(out);
+  printMap(out);
+  printTimes(out);
+}
+
+void BagSummary::printScans(double seconds, std::ostream& out) const {
+  label(out, "scans mapped") << reports_.size() << " in " << std::setprecision(1) << seconds << " s";
+  if (reports_.size() > 1) {
+    const double recorded = (reports_.back().header.stamp - reports_.front().header.stamp).toSec();
+    out << ", " << recorded / seconds << " times as fast as recorded";
+  }
+  out << "\n";
+  label(out, "scans dropped") << std::accumulate(drops_.begin(), drops_.end(), std::size_t{0},
+                                                 [](std::size_t total, const auto& d) { return total + d.second; });
+  for (const auto& [cause, count] : drops_) out << ", " << toString(cause) << " " << count;
+  out << "\n";
+  if (!first_drop_.empty()) label(out, "  the first") << first_drop_ << "\n";
+}
+
+void BagSummary::printPoints(std::ostream& out) const {
+  label(out, "points") << sum(reports_, &ScanReport::points_in);
+  out << ", used " << sum(reports_, &ScanReport::surface_points);
+  for (const auto& [name, count] : {std::pair<const char*, Count>{"thinned", &ScanReport::dropped_thinned},
+                                    {"too far", &ScanReport::dropped_too_far},
+                                    {"too near", &ScanReport::dropped_too_near},
+                                    {"no return", &ScanReport::dropped_no_return},
+                                    {"not a number", &ScanReport::dropped_nan},
+                                    {"without a normal", &ScanReport::normals_fallback}}) {
+    if (const std::uint64_t points = sum(reports_, count); points > 0) out << ", " << name << " " << points;
+  }
+  out << "\n";
+}
+
+void BagSummary::printMap(std::ostream& out) const {
+  const ScanReport& last = reports_.back();
+  label(out, "atoms") << last.atoms << "\n";
+  label(out, "bytes") << last.map_bytes;
+  if (last.atoms > 0) {
+    out << ", " << static_cast<double>(last.map_bytes) / static_cast<double>(last.atoms) << " an atom";
+  }
+  out << "\n";
+}
+
+void BagSummary::printTimes(std::ostream& out) const {
+  label(out, "ms a scan") << "    mean    95 %\n";
+  for (const auto& [name, stage] : {std::pair<const char*, Seconds>{"  filter", &ScanReport::seconds_filter},
+                                    {"  normals", &ScanReport::seconds_normals},
+                                    {"  rays", &ScanReport::seconds_rays},
+                                    {"  candidate filter", &ScanReport::seconds_candidate_filter},
+                                    {"  merge", &ScanReport::seconds_merge},
+                                    {"  total", &ScanReport::seconds_total}}) {
+    std::vector<double> times;
+    for (const ScanReport& report : reports_) times.push_back(1e3 * static_cast<double>(report.*stage));
+    const MeanAndTail time = meanAndTail(times);
+    label(out, name) << std::setprecision(2) << std::setw(8) << time.mean << std::setw(8) << time.tail << "\n";
+  }
+}
+
+}  // namespace atom_mapping
