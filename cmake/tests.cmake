@@ -45,6 +45,18 @@ if(NOT ATOM_MAPPING_CORE_ONLY)
     string(APPEND expected_results "${test_results}/rostest-test_ros_${name}.xml\n")
   endforeach()
 
+  # Any other test/ros/NAME_test.cpp: a gtest of what needs no roscore.
+  file(GLOB ros_gtests CONFIGURE_DEPENDS test/ros/*_test.cpp)
+  foreach(source ${ros_gtests})
+    get_filename_component(name ${source} NAME_WE)
+    if(NOT TARGET ${name})
+      catkin_add_gtest(${name} ${source} TIMEOUT 600)
+      target_link_libraries(${name} ${ATOM_MAPPING_LIBRARIES} ${catkin_LIBRARIES} gtest_main)
+      add_dependencies(${name} ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
+      string(APPEND expected_results "${test_results}/gtest-${name}.xml\n")
+    endif()
+  endforeach()
+
   # test/structure/NAME_test.py: a Python unittest of the repository itself.
   file(GLOB structure_tests CONFIGURE_DEPENDS test/structure/*_test.py)
   foreach(test ${structure_tests})
