@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "atom_mapping/base/check_parameters.h"
+#include "atom_mapping/map/drop_crossing.h"
 #include "atom_mapping/scan/candidate_filter.h"
 #include "atom_mapping/scan/rays.h"
 
@@ -51,27 +52,17 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   });
   ScanReport report;
 
-  const FilteredScan filtered =
+  const FilteredScan filtered =  // line 5
       timed(report.seconds.filter, [&] { return filterScan(scan, parameters_.radius, parameters_.scan, random); });
-  const std::vector<SurfacePoint> surface = timed(report.seconds.normals, [&] {
+  const std::vector<SurfacePoint> surface = timed(report.seconds.normals, [&] {  // line 6
     return transformed(estimateSurface(filtered, parameters_.scan, report.normals), pose);
   });
-  const Candidates interleaved = timed(report.seconds.rays, [&] {
-    const auto no_returns =
-        rotated(parameters_.scan.clear_no_returns ? scan.no_returns : decltype(scan.no_returns){}, pose.linear());
-    return traceRays(surface, no_returns, pose.translation(), parameters_, random);
-  });
-  const Candidates candidates = timed(report.seconds.candidate_filter, [&] {
-    const double cell = parameters_.rays.candidate_cell * 2.0 * parameters_.radius;
-    return cell > 0.0 ? filterCandidates(interleaved, static_cast<float>(cell)) : interleaved;
-  });
-  report.merge = timed(report.seconds.merge, [&] { return merge(candidates); });
+  parameters_.mode == Mode::kOccupancy  // lines 7 to 11
+      ? mergeOccupancy(surface, rotated(scan.no_returns, pose.linear()), pose.translation(), random, report)
+      : mergeDistances(surface, pose.translation(), random, report);
 
   report.filter = filtered.report;
   report.surface_points = static_cast<std::uint32_t>(surface.size());
-  report.candidates_proposed = interleaved.proposed;
-  report.candidates_interleaved = static_cast<std::uint32_t>(interleaved.size());
-  report.candidates_kept = static_cast<std::uint32_t>(candidates.size());
   read([&](const AtomMap& map) {
     report.atoms = map.atoms().size();
     report.map_bytes = map.atoms().bytes();
@@ -79,18 +70,58 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   return report;
 }
 
-// Slice by slice, so that readers wait for a slice only and not for the whole scan.
-MergeReport Mapper::merge(const Candidates& candidates) {
+// Lines 8 to 11, with steps A and B.
+void Mapper::mergeOccupancy(const std::vector<SurfacePoint>& surface, const std::vector<Eigen::Vector3f>& no_returns,
+                            const Eigen::Vector3f& sensor, Random& random, ScanReport& report) {
+  Candidates candidates = timed(report.seconds.rays, [&] {
+    const std::vector<Eigen::Vector3f> none;
+    return traceRays(surface, parameters_.scan.clear_no_returns ? no_returns : none, sensor, parameters_, random);
+  });
+  candidates = gridFiltered(std::move(candidates), report);
   OccupancyMerge merging(map_, parameters_.occupancy);
-  for (const auto* part : {&candidates.occupied, &candidates.free}) {
-    const Candidate* const end = part->data() + part->size();
-    for (const Candidate* slice = part->data(); slice != end;) {
-      const Candidate* const slice_end = slice + std::min(kMergeSlice, end - slice);
+  merge(candidates.occupied, merging, report);
+  merge(candidates.free, merging, report);
+}
+
+// Lines 8 to 11, with steps A and C.
+void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eigen::Vector3f& sensor, Random& random,
+                            ScanReport& report) {
+  DistanceCandidates candidates =
+      timed(report.seconds.rays, [&] { return traceNormals(surface, sensor, parameters_, random); });
+  candidates = gridFiltered(std::move(candidates), report);
+  timed(report.seconds.candidate_filter, [&] {
+    dropCrossing(surface, map_.radius(), static_cast<float>(parameters_.scan.range_noise), candidates.infront);
+    return 0;
+  });
+  DistanceMerge merging(map_, parameters_.signed_distance);
+  merge(candidates.behind, merging, report);
+  merge(candidates.infront, merging, report);
+}
+
+template <class AnyCandidates>
+AnyCandidates Mapper::gridFiltered(AnyCandidates interleaved, ScanReport& report) const {
+  report.candidates_proposed = interleaved.proposed;
+  report.candidates_interleaved = static_cast<std::uint32_t>(interleaved.size());
+  const double cell = parameters_.rays.candidate_cell * 2.0 * parameters_.radius;
+  AnyCandidates kept = timed(report.seconds.candidate_filter, [&] {
+    return cell > 0.0 ? filterCandidates(interleaved, static_cast<float>(cell)) : std::move(interleaved);
+  });
+  report.candidates_kept = static_cast<std::uint32_t>(kept.size());
+  return kept;
+}
+
+// Slice by slice, so that readers wait for a slice only and not for the whole scan.
+template <class AnyCandidate, class Merging>
+void Mapper::merge(const std::vector<AnyCandidate>& candidates, Merging& merging, ScanReport& report) {
+  report.merge = timed(report.seconds.merge, [&] {
+    const AnyCandidate* const end = candidates.data() + candidates.size();
+    for (const AnyCandidate* slice = candidates.data(); slice != end;) {
+      const AnyCandidate* const slice_end = slice + std::min(kMergeSlice, end - slice);
       write([&](AtomMap&) { merging.add(slice, slice_end); });
       slice = slice_end;
     }
-  }
-  return merging.report();
+    return merging.report();
+  });
 }
 
 void Mapper::reset() {

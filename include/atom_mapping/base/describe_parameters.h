@@ -48,6 +48,12 @@ void forEachParameter(Parameters& p, Visit&& visit) {
   visit("occupancy/max_log_odds", p.occupancy.max_log_odds, Range{0.1, 100.0});
 
   visit("signed_distance/xi", p.signed_distance.xi, Range{0.0, kAny, true});
+
+  visit("gaussian_process/neighbors", p.gaussian_process.neighbors, Range{1.0, 64.0});
+  visit("gaussian_process/alpha", p.gaussian_process.alpha, Range{0.0, 100.0, true});
+  visit("gaussian_process/noise_variance", p.gaussian_process.noise_variance, Range{1e-6, 1e6});
+  visit("gaussian_process/distance_alpha", p.gaussian_process.distance_alpha, Range{0.0, 100.0, true});
+  visit("gaussian_process/distance_noise", p.gaussian_process.distance_noise, Range{1e-6, 1e6});
 }
 
 }  // namespace atom_map

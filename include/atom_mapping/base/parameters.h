@@ -44,6 +44,15 @@ struct SignedDistanceParameters {
   double xi = 0.5;  // numerical stability in Eq. (9)
 };
 
+// gaussian_process/: regression over the nearest atoms (Eq. 6 to 8). Lengths in radii, so that one setting fits any.
+struct GaussianProcessParameters {
+  std::uint32_t neighbors = 20;   // N, nearest atoms that a query is trained on
+  double alpha = 0.1;             // of the log-odds' kernel exp(-alpha d^2), d in radii
+  double noise_variance = 0.1;    // sigma_n^2 of the log-odds, in units of the kernel's variance, which is 1
+  double distance_alpha = 0.02;   // the same of signed distances, which are smoother
+  double distance_noise = 0.003;  // sigma_n^2 of signed distances, in squared radii
+};
+
 struct MappingParameters {
   std::string map_frame = "map";
   Mode mode = Mode::kOccupancy;
@@ -53,6 +62,7 @@ struct MappingParameters {
   RayParameters rays;
   OccupancyParameters occupancy;
   SignedDistanceParameters signed_distance;
+  GaussianProcessParameters gaussian_process;
 };
 
 }  // namespace atom_map

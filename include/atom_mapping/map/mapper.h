@@ -47,7 +47,14 @@ class Mapper {
   const MappingParameters& parameters() const { return parameters_; }
 
  private:
-  MergeReport merge(const Candidates& candidates);
+  void mergeOccupancy(const std::vector<SurfacePoint>& surface, const std::vector<Eigen::Vector3f>& no_returns,
+                      const Eigen::Vector3f& sensor, Random& random, ScanReport& report);
+  void mergeDistances(const std::vector<SurfacePoint>& surface, const Eigen::Vector3f& sensor, Random& random,
+                      ScanReport& report);
+  template <class AnyCandidates>
+  AnyCandidates gridFiltered(AnyCandidates interleaved, ScanReport& report) const;
+  template <class AnyCandidate, class Merging>
+  void merge(const std::vector<AnyCandidate>& candidates, Merging& merging, ScanReport& report);
 
   MappingParameters parameters_;
   std::mutex scan_mutex_;            // held from a scan's first stage to its last

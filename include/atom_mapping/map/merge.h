@@ -8,6 +8,7 @@
 #include "atom_mapping/base/types.h"
 #include "atom_mapping/map/atom_map.h"
 #include "atom_mapping/map/center_set.h"
+#include "atom_mapping/scan/normal_rays.h"
 
 namespace atom_map {
 
@@ -38,6 +39,27 @@ class OccupancyMerge {
   float max_log_odds_;
   float hold_distance_;
   CenterSet held_;
+  MergeReport report_;
+};
+
+// Merges the candidates of one scan in signed distance mode by Eq. (9) to (11).
+// Choice: what a candidate tells of an atom that it overlaps is the distance at the atom's centre, which differs from
+// the one at the candidate's own by their offset along the normal. The paper leaves that offset as an error of up to 2r.
+class DistanceMerge {
+ public:
+  // The map must be in signed distance mode, and outlive this.
+  DistanceMerge(AtomMap& map, const SignedDistanceParameters& parameters);
+
+  // Candidates in the map's local frame; their distances must not be 0, which Eq. (9) would trust without bounds.
+  void add(const DistanceCandidate* begin, const DistanceCandidate* end);
+
+  const MergeReport& report() const { return report_; }
+
+ private:
+  void add(const DistanceCandidate& candidate);
+
+  AtomMap& map_;
+  float xi_;
   MergeReport report_;
 };
 

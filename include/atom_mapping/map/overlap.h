@@ -8,7 +8,7 @@ namespace atom_map {
 // over their diameter: 1 where they coincide, 0 from touching on.
 inline float overlapFraction(float distance_over_diameter) {
   const float t = std::min(distance_over_diameter, 1.0F);
-  return 1.0F - t * (1.5F - 0.5F * t * t);  // Eq. (4), with d = 2 r t
+  return (1.0F - t) * (1.0F - t) * (1.0F + 0.5F * t);  // Eq. (4), with d = 2 r t; factored: exact where it vanishes
 }
 
 }  // namespace atom_map

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "atom_mapping/base/types.h"
+#include "atom_mapping/scan/normal_rays.h"
+
+namespace atom_map {
+
+// Removes the candidates of step C that may lie beyond a surface which another point of the same scan saw (paper III-C):
+// those with a surface point nearer than the distance that they carry, less what the range's noise (m) explains.
+// `radius` in metres; everything in one frame.
+void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float noise,
+                  std::vector<DistanceCandidate>& infront);
+
+}  // namespace atom_map
