@@ -5,6 +5,10 @@ set -euo pipefail
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 workspace=$repository/.workspace
+# catkin runs its tests by unquoted paths.
+if [[ $workspace == *[[:space:]]* ]]; then
+  workspace=${XDG_CACHE_HOME:-$HOME/.cache}/atom_mapping_$(cksum <<<"$repository" | cut -d ' ' -f 1)
+fi
 
 # The system's own Python before a pyenv or conda, which know nothing of catkin.
 export PATH=/usr/bin:$PATH
