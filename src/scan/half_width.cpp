@@ -1,5 +1,6 @@
 #include "atom_mapping/scan/half_width.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace atom_map {
@@ -32,7 +33,8 @@ int pixelsToEdge(const FilteredScan& scan, const RangeImage& image, std::uint32_
 
 float halfWidth(const FilteredScan& scan, const RangeImage& image, std::uint32_t ray, float max_width) {
   const float pixel_width = scan.points[ray].norm() * image.columnAngle();
-  const int max_pixels = static_cast<int>(max_width / pixel_width) + 1;
+  const float half_turn = 0.5F * static_cast<float>(image.columns());
+  const int max_pixels = static_cast<int>(std::min(max_width / pixel_width + 1.0F, half_turn));
   const int left = pixelsToEdge(scan, image, ray, 1, max_pixels);
   if (left == kUnbounded) return std::numeric_limits<float>::infinity();
   const int right = pixelsToEdge(scan, image, ray, -1, max_pixels);

@@ -134,7 +134,6 @@ struct Normal {
 };
 
 struct Plane {
-  Eigen::Vector3f mean;
   Eigen::Vector3f spread;  // variances, ascending
   Eigen::Matrix3f axes;    // columns, in their order
 };
@@ -157,25 +156,22 @@ std::optional<Plane> leastSquares(const Neighborhood& neighbors, const Eigen::Ve
   mean /= weights;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(sum / weights - mean * mean.transpose());
-  return Plane{mean, solver.eigenvalues().cwiseMax(0.0F), solver.eigenvectors()};
+  return Plane{solver.eigenvalues().cwiseMax(0.0F), solver.eigenvectors()};
 }
 
 // Least squares over the neighbours that agree; falls back where they do not span a plane.
-Normal refine(const Neighborhood& neighbors, Eigen::Vector3f normal, const Eigen::Vector3f& towards_sensor,
+Normal refine(const Neighborhood& neighbors, const Eigen::Vector3f& agreed, const Eigen::Vector3f& towards_sensor,
               float noise) {
-  for (int iteration = 0; iteration < 2; ++iteration) {
-    const std::optional<Plane> plane = leastSquares(neighbors, normal);
-    if (!plane) return {towards_sensor, Fit::kNone};
-    if (std::sqrt(plane->spread[1]) < 2.0F * noise) {
-      const Eigen::Vector3f line = plane->axes.col(2);
-      const Eigen::Vector3f square = towards_sensor - line * line.dot(towards_sensor);
-      if (square.norm() < kMinFacing) return {towards_sensor, Fit::kNone};
-      return {square.normalized(), Fit::kLine};
-    }
-    normal = plane->axes.col(0);
+  const std::optional<Plane> plane = leastSquares(neighbors, agreed);
+  if (!plane) return {towards_sensor, Fit::kNone};
+  if (std::sqrt(plane->spread[1]) < 2.0F * noise) {
+    const Eigen::Vector3f line = plane->axes.col(2);
+    const Eigen::Vector3f square = towards_sensor - line * line.dot(towards_sensor);
+    if (square.norm() < kMinFacing) return {towards_sensor, Fit::kNone};
+    return {square.normalized(), Fit::kLine};
   }
-  if (normal.dot(towards_sensor) < 0.0F) normal = -normal;
-  return {normal, Fit::kPlane};
+  const Eigen::Vector3f normal = plane->axes.col(0);
+  return {normal.dot(towards_sensor) < 0.0F ? Eigen::Vector3f(-normal) : normal, Fit::kPlane};
 }
 
 }  // namespace

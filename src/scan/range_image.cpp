@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace atom_map {
@@ -59,9 +60,11 @@ RangeImage::RangeImage(const std::vector<Eigen::Vector3f>& points, double horizo
 }
 
 std::int32_t RangeImage::at(int row, int column) const {
+  assert(column >= -columns_ && column < 2 * columns_);
   if (row < 0 || row >= rows_) return -1;
-  const int wrapped = ((column % columns_) + columns_) % columns_;
-  return nearest_[static_cast<std::size_t>(row) * columns_ + wrapped];
+  if (column < 0) column += columns_;
+  if (column >= columns_) column -= columns_;
+  return nearest_[static_cast<std::size_t>(row) * columns_ + column];
 }
 
 }  // namespace atom_map

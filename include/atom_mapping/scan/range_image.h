@@ -19,10 +19,11 @@ class RangeImage {
   // `points` in the sensor frame, none at its origin; resolutions in radians, those of the sensor.
   RangeImage(const std::vector<Eigen::Vector3f>& points, double horizontal_resolution, double vertical_resolution);
 
+  int columns() const { return columns_; }
   float columnAngle() const { return 6.2831853F / static_cast<float>(columns_); }  // radians
   Pixel pixel(std::uint32_t point) const { return pixels_[point]; }
 
-  // Index of the nearest return in a pixel, or -1. Any row and any column may be asked for.
+  // Index of the nearest return in a pixel, or -1. Any row may be asked for, and columns up to one turn beyond the image.
   std::int32_t at(int row, int column) const;
 
  private:
