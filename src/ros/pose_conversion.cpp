@@ -7,7 +7,6 @@ namespace atom_mapping {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;  // of a quaternion, as float drivers leave it
-constexpr double kFarthest = 1e8;        // m; UTM reaches 1e7
 
 }  // namespace
 

@@ -131,11 +131,11 @@ class Reader {
 // What no single value tells.
 void addFaultsBetween(const Parameters& p, std::vector<std::string>& faults) {
   for (const std::string& fault : atom_map::findFaults(p.mapping)) faults.push_back(fault);
-  if (p.mapping.mode == Mode::kSignedDistance) {
-    faults.emplace_back("mode is signed_distance; this version maps in mode occupancy only");
-  } else if (p.node.publish.color == AtomColor::kDistance) {
-    faults.emplace_back(
-        "publish/color is distance, which mode occupancy does not know; it must be height or occupancy");
+  const bool occupancy = p.mapping.mode == Mode::kOccupancy;
+  if (p.node.publish.color == (occupancy ? AtomColor::kDistance : AtomColor::kOccupancy)) {
+    faults.push_back(join("publish/color is ", occupancy ? "distance" : "occupancy", ", which mode ",
+                          occupancy ? "occupancy" : "signed_distance", " does not know; it must be height or ",
+                          occupancy ? "occupancy" : "distance"));
   }
 }
 

@@ -33,10 +33,10 @@ ScanOutcome ScanServer::insert(const sensor_msgs::PointCloud2& cloud, const tf2:
   try {
     checkHeader(cloud.header);
     const auto scan = toLidarScan(cloud, mapper_.parameters().scan.clear_no_returns);
-    checkOrder(stamp);
+    const std::uint64_t era = checkOrder(stamp);
     const auto pose = toPose(transforms.lookupTransform(map_frame_, frame, stamp).transform);
     const atom_map::ScanReport report = mapper_.insertScan(scan, pose);
-    noteMapped(stamp, scan.points.empty());
+    noteMapped(stamp, era, scan.points.empty());
     return {std::nullopt, "", toMessage(report, cloud.header)};
   } catch (const MalformedCloud& fault) {
     return drop(Drop::kMalformed, std::string("malformed cloud: ") + fault.what());
@@ -59,6 +59,7 @@ ScanOutcome ScanServer::drop(Drop cause, const std::string& message) {
 void ScanServer::restartTime() {
   const std::lock_guard lock(mutex_);
   newest_ = ros::Time();
+  ++era_;
 }
 
 std::size_t ScanServer::clearRegion(const Eigen::AlignedBox3d& box) {
@@ -83,19 +84,25 @@ std::uint64_t ScanServer::revision() const {
   return revision_;
 }
 
-void ScanServer::checkOrder(const ros::Time& stamp) const {
+ros::Time ScanServer::newest() const {
   const std::lock_guard lock(mutex_);
-  if (stamp >= newest_) return;
+  return newest_;
+}
+
+// The era that the stamp is of.
+std::uint64_t ScanServer::checkOrder(const ros::Time& stamp) const {
+  const std::lock_guard lock(mutex_);
+  if (stamp >= newest_) return era_;
   std::ostringstream fault;
   fault << "out of order: its stamp " << stamp << " lies before " << newest_ << ", that of a cloud in the map";
   throw OutOfOrder(fault.str());
 }
 
-void ScanServer::noteMapped(const ros::Time& stamp, bool is_empty) {
+void ScanServer::noteMapped(const ros::Time& stamp, std::uint64_t era, bool is_empty) {
   const std::lock_guard lock(mutex_);
   ++counts_.mapped;
   counts_.empty += is_empty ? 1 : 0;
-  newest_ = stamp;
+  if (era == era_) newest_ = stamp;  // else time began anew while the cloud was being merged
   ++revision_;
 }
 

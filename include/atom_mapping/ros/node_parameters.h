@@ -11,7 +11,7 @@ namespace atom_mapping {
 // input/
 struct InputParameters {
   double transform_timeout = 1.0;  // s of wall time that a cloud waits for its transform
-  std::uint32_t queue_size = 10;   // clouds that wait for their transforms, and as many again for being mapped
+  std::uint32_t queue_size = 20;   // clouds that wait for their transforms, and as many again for being mapped
 };
 
 enum class AtomColor { kHeight, kOccupancy, kDistance };

@@ -8,7 +8,10 @@
 
 namespace atom_mapping {
 
-// A transform that is no rigid motion, or reaches beyond the Earth; what() says which.
+// Metres; coordinates beyond are taken for errors (UTM reaches 1e7).
+constexpr double kFarthest = 1e8;
+
+// A transform that is no rigid motion, or reaches beyond kFarthest; what() says which.
 class BadTransform : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "atom_mapping/ScanReport.h"
 #include "atom_mapping/map/mapper.h"
@@ -47,20 +48,34 @@ class ScanServer {
   // Grows whenever the map changed.
   std::uint64_t revision() const;
 
+  // Stamp of the newest cloud in the map; zero before the first.
+  ros::Time newest() const;
+
+  // As Mapper::read, save that readers come one at a time: such as overlap could hold the merge up for ever, since a
+  // std::shared_mutex lets them in first.
+  template <class F>
+  auto read(F&& f) const {
+    const std::lock_guard lock(reading_);
+    return mapper_.read(std::forward<F>(f));
+  }
+
   const atom_map::Mapper& mapper() const { return mapper_; }
+  const atom_map::MappingParameters& parameters() const { return mapper_.parameters(); }
   const std::string& mapFrame() const { return map_frame_; }
 
  private:
-  void checkOrder(const ros::Time& stamp) const;
-  void noteMapped(const ros::Time& stamp, bool is_empty);
+  std::uint64_t checkOrder(const ros::Time& stamp) const;
+  void noteMapped(const ros::Time& stamp, std::uint64_t era, bool is_empty);
   void noteChange();
 
   atom_map::Mapper mapper_;
   std::string map_frame_;  // without a leading slash, which tf2 refuses
-  mutable std::mutex mutex_;
+  mutable std::mutex reading_;
+  mutable std::mutex mutex_;  // of what follows
   ScanCounts counts_;
   std::uint64_t revision_ = 0;
-  ros::Time newest_;  // stamp of a mapped cloud
+  std::uint64_t era_ = 0;  // how often time began anew
+  ros::Time newest_;
 };
 
 }  // namespace atom_mapping

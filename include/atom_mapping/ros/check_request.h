@@ -1,0 +1,33 @@
+// Checks of what requests hold; each throws a Refusal that names the element, its value and what is expected.
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Vector3.h>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace atom_mapping {
+
+class Refusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Where it is: "points[3]", or the name alone for what is no array.
+std::string element(const char* array, std::size_t index);
+
+// Within kFarthest.
+Eigen::Vector3d checkedPoint(const std::string& where, const geometry_msgs::Point& point);
+
+// A vector of any length but zero; returns its direction.
+Eigen::Vector3d checkedDirection(const std::string& where, const geometry_msgs::Vector3& vector);
+
+// Finite and not negative.
+float checkedLength(const std::string& where, float length);
+
+void checkEqualSizes(const char* a, std::size_t size_a, const char* b, std::size_t size_b);
+
+}  // namespace atom_mapping

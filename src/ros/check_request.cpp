@@ -1,0 +1,52 @@
+#include "atom_mapping/ros/check_request.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "atom_mapping/ros/pose_conversion.h"
+
+namespace atom_mapping {
+namespace {
+
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  throw Refusal(text.str());
+}
+
+}  // namespace
+
+std::string element(const char* array, std::size_t index) {
+  return array + ("[" + std::to_string(index) + "]");
+}
+
+Eigen::Vector3d checkedPoint(const std::string& where, const geometry_msgs::Point& point) {
+  const Eigen::Vector3d p(point.x, point.y, point.z);
+  if (p.hasNaN() || p.cwiseAbs().maxCoeff() > kFarthest) {
+    refuse(where, " is (", p.transpose(), "); its coordinates must be numbers within ", kFarthest, " m");
+  }
+  return p;
+}
+
+Eigen::Vector3d checkedDirection(const std::string& where, const geometry_msgs::Vector3& vector) {
+  const Eigen::Vector3d v(vector.x, vector.y, vector.z);
+  const double length = v.stableNorm();
+  if (!std::isfinite(length) || length == 0.0) {
+    refuse(where, " is (", v.transpose(), "); it must be a finite vector other than zero");
+  }
+  return v.stableNormalized();
+}
+
+float checkedLength(const std::string& where, float length) {
+  if (!std::isfinite(length) || length < 0.0F) refuse(where, " is ", length, "; it must be finite and not negative");
+  return length;
+}
+
+void checkEqualSizes(const char* a, std::size_t size_a, const char* b, std::size_t size_b) {
+  if (size_a != size_b) {
+    refuse(a, " has ", size_a, " elements and ", b, " has ", size_b, "; they must have equally many");
+  }
+}
+
+}  // namespace atom_mapping

@@ -1,0 +1,170 @@
+#include "atom_mapping/ros/map_queries.h"
+
+#include <tf2/exceptions.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "atom_mapping/query/cast_ray.h"
+#include "atom_mapping/query/collision.h"
+#include "atom_mapping/query/occupancy.h"
+#include "atom_mapping/ros/check_request.h"
+#include "atom_mapping/ros/frame_name.h"
+#include "atom_mapping/ros/pose_conversion.h"
+
+namespace atom_mapping {
+namespace {
+
+using atom_map::AtomMap;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr std::size_t kSlice = 256;  // points asked for at once, some 0.1 ms
+
+geometry_msgs::Point toPoint(const Vector3d& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
+// A signed distance tells on which side of the surface a point lies, and nothing between.
+float probabilityOf(const AtomMap& map, std::optional<float> value) {
+  if (map.mode() == atom_map::Mode::kOccupancy || !value) return atom_map::probability(value);
+  return atom_map::classify(value) == atom_map::Occupancy::kOccupied ? 1.0F : 0.0F;
+}
+
+// Answers a request by `fill`, or by what was wrong with it.
+template <class Response, class Fill>
+Response answered(Fill&& fill) {
+  Response response;
+  std::string fault;
+  try {
+    fill(response);
+    response.success = 1;
+    return response;
+  } catch (const Refusal& refusal) {
+    fault = refusal.what();
+  } catch (const tf2::TransformException& exception) {
+    fault = std::string("frame_id cannot be brought to the map frame: ") + exception.what() +
+            "; name a frame that tf knows, or leave it empty for the map frame";
+  } catch (const BadTransform& exception) {
+    fault = std::string("tf's transform from frame_id to the map frame is bad: ") + exception.what();
+  }
+  Response refused;
+  refused.success = 0;
+  refused.message = fault;
+  return refused;
+}
+
+}  // namespace
+
+QueryOccupancy::Response MapQueries::answer(const QueryOccupancy::Request& request) const {
+  return answered<QueryOccupancy::Response>([&](auto& response) { fill(request, response); });
+}
+
+CheckCollision::Response MapQueries::answer(const CheckCollision::Request& request) const {
+  return answered<CheckCollision::Response>([&](auto& response) { fill(request, response); });
+}
+
+CastRay::Response MapQueries::answer(const CastRay::Request& request) const {
+  return answered<CastRay::Response>([&](auto& response) { fill(request, response); });
+}
+
+ClearRegion::Response MapQueries::answer(const ClearRegion::Request& request) {
+  return answered<ClearRegion::Response>([&](auto& response) { fill(request, response); });
+}
+
+std_srvs::Trigger::Response MapQueries::reset() {
+  server_.reset();
+  std_srvs::Trigger::Response response;
+  response.success = 1;
+  response.message = "the map is empty";
+  return response;
+}
+
+void MapQueries::fill(const QueryOccupancy::Request& request, QueryOccupancy::Response& response) const {
+  const std::size_t size = request.points.size();
+  checkSize("points", size);
+  const atom_map::Pose to_map = toMap(request.frame_id);
+  std::vector<Vector3d> points;
+  for (std::size_t i = 0; i < size; ++i)
+    points.push_back(to_map * checkedPoint(element("points", i), request.points[i]));
+  for (std::size_t begin = 0; begin < size; begin += kSlice) {
+    server_.read([&](const AtomMap& map) {
+      for (std::size_t i = begin; i < std::min(begin + kSlice, size); ++i) {
+        const auto value = atom_map::interpolate(map, map.toLocal(points[i]));
+        response.state.push_back(static_cast<std::uint8_t>(atom_map::classify(value)));
+        response.probability.push_back(probabilityOf(map, value));
+      }
+    });
+  }
+}
+
+void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Response& response) const {
+  const std::size_t size = request.centers.size();
+  checkSize("centers", size);
+  checkEqualSizes("centers", size, "radii", request.radii.size());
+  const float largest = kLargestSphere * static_cast<float>(server_.parameters().radius);
+  const atom_map::Pose to_map = toMap(request.frame_id);
+  std::vector<Vector3d> centers;
+  for (std::size_t i = 0; i < size; ++i) {
+    centers.push_back(to_map * checkedPoint(element("centers", i), request.centers[i]));
+    if (checkedLength(element("radii", i), request.radii[i]) > largest && request.unknown_is_free == 0) {
+      throw Refusal(element("radii", i) + " is " + std::to_string(request.radii[i]) + " m; it must be at most " +
+                    std::to_string(largest) + " m, unless unknown_is_free is set");
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    response.collides.push_back(static_cast<std::uint8_t>(server_.read([&](const AtomMap& map) {
+      return atom_map::collides(map, map.toLocal(centers[i]), request.radii[i], request.unknown_is_free != 0);
+    })));
+  }
+}
+
+void MapQueries::fill(const CastRay::Request& request, CastRay::Response& response) const {
+  const std::size_t size = request.origins.size();
+  checkSize("origins", size);
+  checkEqualSizes("origins", size, "directions", request.directions.size());
+  const float max_range = checkedLength("max_range", request.max_range);
+  const atom_map::Pose to_map = toMap(request.frame_id);
+  std::vector<Vector3d> origins;
+  std::vector<Vector3d> directions;
+  for (std::size_t i = 0; i < size; ++i) {
+    origins.push_back(checkedPoint(element("origins", i), request.origins[i]));
+    directions.push_back(checkedDirection(element("directions", i), request.directions[i]));
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector3f direction = (to_map.linear() * directions[i]).cast<float>();
+    const auto ray = server_.read([&](const AtomMap& map) {
+      return atom_map::castRay(map, map.toLocal(to_map * origins[i]), direction, max_range);
+    });
+    response.result.push_back(static_cast<std::uint8_t>(ray.end));
+    response.ends.push_back(toPoint(origins[i] + static_cast<double>(ray.distance) * directions[i]));
+  }
+}
+
+void MapQueries::fill(const ClearRegion::Request& request, ClearRegion::Response& response) const {
+  const Vector3d min = checkedPoint("min", request.min);
+  const Vector3d max = checkedPoint("max", request.max);
+  if ((min.array() > max.array()).any()) {
+    throw Refusal("a coordinate of min is greater than that of max; min must be the lower corner of the box");
+  }
+  response.removed = server_.clearRegion({min, max});
+}
+
+void MapQueries::checkSize(const char* array, std::size_t size) const {
+  if (size <= parameters_.max_points) return;
+  throw Refusal(std::string(array) + " has " + std::to_string(size) + " elements; services/max_points permits " +
+                std::to_string(parameters_.max_points) + ": ask in several requests");
+}
+
+// From a request's frame, as tf knows it last.
+atom_map::Pose MapQueries::toMap(const std::string& frame) const {
+  const std::string name = withoutSlash(frame);
+  if (name.empty() || name == server_.mapFrame()) return atom_map::Pose::Identity();
+  return toPose(transforms_.lookupTransform(server_.mapFrame(), name, ros::Time()).transform);
+}
+
+}  // namespace atom_mapping

@@ -1,0 +1,71 @@
+#include "atom_mapping/ros/node_diagnostics.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace atom_mapping {
+namespace {
+
+constexpr double kPeriod = 1.0;  // s
+
+const char* toString(atom_map::Mode mode) {
+  return mode == atom_map::Mode::kOccupancy ? "occupancy" : "signed_distance";
+}
+
+}  // namespace
+
+NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const ScanServer& server) : server_(server) {
+  updater_.setHardwareID("none");
+  updater_.add("scans", this, &NodeDiagnostics::describeScans);
+  updater_.add("map", this, &NodeDiagnostics::describeMap);
+  timer_ = node.createWallTimer(ros::WallDuration(kPeriod), [this](const auto& /*event*/) { updater_.force_update(); });
+}
+
+void NodeDiagnostics::noteScan(const ScanReport& report, double delay) {
+  const std::lock_guard lock(mutex_);
+  last_ = report;
+  ++interval_.scans;
+  interval_.longest_delay = std::max(interval_.longest_delay, delay);
+  interval_.longest_mapping = std::max(interval_.longest_mapping, static_cast<double>(report.seconds_total));
+}
+
+void NodeDiagnostics::describeScans(Status& status) {
+  Interval interval;
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(interval, interval_);
+  }
+  const ScanCounts counts = server_.counts();
+  const std::uint64_t dropped = counts.droppedInAll() - std::exchange(dropped_before_, counts.droppedInAll());
+  const double seconds = std::chrono::duration<double>(Clock::now() - interval.start).count();
+  const double rate = seconds > 0.0 ? interval.scans / seconds : 0.0;
+
+  if (dropped > 0) {
+    status.summaryf(Status::WARN, "%lu clouds dropped; the last: %s", dropped, counts.last_drop.c_str());
+  } else if (counts.mapped == 0) {
+    status.summary(Status::OK, "waiting for the first cloud");
+  } else {
+    status.summaryf(Status::OK, "%.1f scans a second", rate);
+  }
+  status.addf("scan rate (Hz)", "%.2f", rate);
+  status.addf("longest delay (s)", "%.3f", interval.longest_delay);
+  status.addf("longest mapping (s)", "%.3f", interval.longest_mapping);
+  status.add("mapped", counts.mapped);
+  status.add("mapped: empty", counts.empty);
+  for (std::size_t i = 0; i < kDropCauses; ++i) {
+    status.add(std::string("dropped: ") + toString(static_cast<Drop>(i)), counts.dropped[i]);
+  }
+  status.add("last drop", counts.last_drop);
+}
+
+void NodeDiagnostics::describeMap(Status& status) {
+  const auto [atoms, bytes] = server_.read(
+      [](const atom_map::AtomMap& map) { return std::make_pair(map.atoms().size(), map.atoms().bytes()); });
+  status.summaryf(Status::OK, "%zu atoms", atoms);
+  status.add("atoms", atoms);
+  status.add("bytes", bytes);
+  status.add("radius (m)", server_.parameters().radius);
+  status.add("mode", toString(server_.parameters().mode));
+}
+
+}  // namespace atom_mapping

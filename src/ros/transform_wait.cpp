@@ -1,0 +1,85 @@
+#include "atom_mapping/ros/transform_wait.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "atom_mapping/ros/frame_name.h"
+
+namespace atom_mapping {
+
+TransformWait::TransformWait(tf2::BufferCore& transforms, std::string map_frame, const InputParameters& parameters,
+                             ros::CallbackQueueInterface* queue, Handlers handlers)
+    : transforms_(transforms),
+      map_frame_(std::move(map_frame)),
+      timeout_(
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(parameters.transform_timeout))),
+      handlers_(std::move(handlers)),
+      filter_(transforms, map_frame_, parameters.queue_size, queue) {
+  using Filter = tf2_ros::MessageFilter<sensor_msgs::PointCloud2>;
+  filter_.registerCallback(Filter::Callback([this](const CloudPtr& cloud) { release(cloud); }));
+  filter_.registerFailureCallback([this](const CloudPtr& cloud, tf2_ros::FilterFailureReason reason) {
+    giveUp(cloud, reason == tf2_ros::filter_failure_reasons::OutTheBack ? "it is older than all that tf remembers"
+                                                                        : "too many newer clouds wait as well");
+  });
+}
+
+void TransformWait::add(const CloudPtr& cloud) {
+  const std_msgs::Header& header = cloud->header;
+  const bool is_hopeless = header.frame_id.empty() || header.stamp.isZero();  // the server says what is wrong with it
+  if (is_hopeless) return handlers_.ready(cloud);
+  waiting_.push_back({cloud, Clock::now() + timeout_});
+  filter_.add(cloud);
+}
+
+void TransformWait::expire() {
+  const Clock::time_point now = Clock::now();
+  while (!waiting_.empty() && waiting_.front().deadline <= now) {
+    const CloudPtr cloud = waiting_.front().cloud;
+    std::string why;
+    if (canTransform(cloud, &why)) {
+      release(cloud);
+    } else {
+      giveUp(cloud, why);
+    }
+  }
+}
+
+std::deque<TransformWait::CloudPtr> TransformWait::clear() {
+  filter_.clear();
+  std::deque<CloudPtr> clouds;
+  for (const Waiting& waiting : waiting_) clouds.push_back(waiting.cloud);
+  waiting_.clear();
+  return clouds;
+}
+
+bool TransformWait::canTransform(const CloudPtr& cloud, std::string* why) const {
+  return transforms_.canTransform(map_frame_, withoutSlash(cloud->header.frame_id), cloud->header.stamp, why);
+}
+
+// Whether it was waiting still.
+bool TransformWait::forget(const CloudPtr& cloud) {
+  const auto found = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& w) { return w.cloud == cloud; });
+  if (found == waiting_.end()) return false;
+  waiting_.erase(found);
+  return true;
+}
+
+// Hands on a cloud and, before it, older ones that the filter forgot.
+void TransformWait::release(const CloudPtr& cloud) {
+  std::deque<CloudPtr> older;
+  for (const Waiting& waiting : waiting_) {
+    if (waiting.cloud == cloud) break;
+    older.push_back(waiting.cloud);
+  }
+  if (older.size() == waiting_.size()) return;  // given up before
+  for (const CloudPtr& ready : older) {
+    if (canTransform(ready) && forget(ready)) handlers_.ready(ready);
+  }
+  if (forget(cloud)) handlers_.ready(cloud);
+}
+
+void TransformWait::giveUp(const CloudPtr& cloud, const std::string& why) {
+  if (forget(cloud)) handlers_.given_up(cloud, why);
+}
+
+}  // namespace atom_mapping
