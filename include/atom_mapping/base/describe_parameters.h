@@ -30,8 +30,8 @@ void forEachParameter(Parameters& p, Visit&& visit) {
   visit("scan/min_range", p.scan.min_range, Range{0.0, kAny});
   visit("scan/max_range", p.scan.max_range, Range{0.0, 1000.0, true});
   visit("scan/thinning", p.scan.thinning, Range{0.0, 10.0});
-  visit("scan/horizontal_resolution", p.scan.horizontal_resolution, Range{0.01, 45.0});
-  visit("scan/vertical_resolution", p.scan.vertical_resolution, Range{0.01, 45.0});
+  visit("scan/horizontal_resolution", p.scan.horizontal_resolution, Range{0.05, 45.0});
+  visit("scan/vertical_resolution", p.scan.vertical_resolution, Range{0.05, 45.0});
   visit("scan/range_noise", p.scan.range_noise, Range{0.0, 1.0});
   visit("scan/normal_support", p.scan.normal_support, Range{0.0, 10.0, true});
   visit("scan/thin_width", p.scan.thin_width, Range{0.0, 10.0});
