@@ -13,7 +13,7 @@ Usage: scripts/demo.sh [--scene NAME] [--bag FILE [--topic TOPIC]] [--radius MET
 USAGE
 }
 
-scene=hall scans=400 bag='' topic=/velodyne_points radius=0.25 rviz=false
+scene=hall scans=1200 bag='' topic=/velodyne_points radius=0.25 rviz=false
 while [[ $# -gt 0 ]]; do
   case $1 in
     --scene) scene=${2:?} && shift 2 ;;
@@ -33,10 +33,17 @@ echo "Building, the log is in demo_output/build.log"
 sourceUnchecked "$workspace/devel/setup.bash"
 programs=$workspace/devel/lib/atom_mapping
 
+# isCurrent FILE OTHER...: FILE exists and is newer than the others.
+isCurrent() {
+  local other
+  for other in "${@:2}"; do [[ $1 -nt $other ]] || return 1; done
+}
+
 if [[ -z $bag ]]; then
   bag=$output/$scene.bag
-  if [[ ! $bag -nt $programs/simulate_bag ]]; then
-    "$programs/simulate_bag" --scene "$scene" --scans $scans --out "$bag.part"
+  if ! isCurrent "$bag" "$programs/simulate_bag"; then
+    echo "Simulating a drive of two minutes: $bag"
+    "$programs/simulate_bag" --scene "$scene" --scans $scans --out "$bag.part" >/dev/null
     mv "$bag.part" "$bag"
   fi
 fi
@@ -46,7 +53,12 @@ if $rviz; then
   exec roslaunch atom_mapping demo.launch bag:="$bag" cloud_topic:="$topic" radius:="$radius"
 fi
 
-"$programs/atom_mapping_offline" --bag "$bag" --topic "$topic" --radius "$radius" \
-  --config "$repository/config/atom_mapping.yaml" --export "$output/atoms.ply"
-"$programs/render_map" "$output/atoms.ply" --out "$output/map.png"
-echo "The map: demo_output/map.png, its atoms: demo_output/atoms.ply"
+config=$repository/config/atom_mapping.yaml
+atoms=$output/atoms.ply
+inputs="$bag $topic $radius"
+if ! isCurrent "$atoms" "$bag" "$config" "$programs/atom_mapping_offline" || [[ $(cat "$output/inputs.txt") != "$inputs" ]]; then
+  "$programs/atom_mapping_offline" --bag "$bag" --topic "$topic" --radius "$radius" --config "$config" --export "$atoms"
+  echo "$inputs" >"$output/inputs.txt"
+fi
+"$programs/render_map" "$atoms" --out "$output/map.png"
+echo "The map: $output/map.png, its atoms: $atoms"
