@@ -1,0 +1,100 @@
+// What a map of a million atoms costs, by the tree's own count and by the allocator's.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "atom_list.h"
+#include "atom_orders.h"
+#include "heap_in_use.h"
+
+namespace atom_map {
+namespace {
+
+using Eigen::AlignedBox3f;
+using Eigen::Vector3f;
+
+constexpr double kSlack = 200e3;  // bytes that the allocator keeps of freed blocks
+
+void insertAll(AtomTree& tree, const Centers& centers) {
+  const float values[] = {1.0F, 2.0F};
+  for (const Vector3f& center : centers) tree.insert(center, values);
+}
+
+struct MemoryCase {
+  const char* name;
+  Centers centers;
+};
+
+class AtomTreeMemory : public testing::TestWithParam<MemoryCase> {
+ protected:
+  // Heap that the tree holds for these atoms, in bytes an atom, and what it says that it holds.
+  void expectBytesPerAtom(int value_count, double at_most) const {
+    const std::size_t before = heapInUse();
+    AtomTree tree(kCell, value_count);
+    insertAll(tree, GetParam().centers);
+    const auto count = static_cast<double>(tree.size());
+    const auto allocated = static_cast<double>(heapInUse() - before);
+    EXPECT_NEAR(static_cast<double>(tree.bytes()), allocated, 0.03 * allocated);
+    EXPECT_LE(allocated / count, at_most);
+    EXPECT_LE(static_cast<double>(tree.bytes()) / count, at_most);
+    RecordProperty("bytes_per_atom", std::to_string(allocated / count));
+  }
+};
+
+TEST_P(AtomTreeMemory, AMillionAtomsOfOccupancyTakeAtMost28BytesEach) {
+  expectBytesPerAtom(1, 28.0);
+}
+
+TEST_P(AtomTreeMemory, AMillionAtomsOfSignedDistanceTakeAtMost32BytesEach) {
+  expectBytesPerAtom(2, 32.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, AtomTreeMemory,
+                         testing::Values(MemoryCase{"dense", looseGrid({100, 100, 100}, 1, 1.05F * kDiameter)},
+                                         MemoryCase{"loose", looseGrid({100, 100, 100}, 2, 1.6F * kDiameter)},
+                                         MemoryCase{"surface", looseGrid({1000, 1000, 1}, 3)},
+                                         MemoryCase{"drive", looseGrid({20000, 10, 5}, 4)}),
+                         [](const auto& instance) { return instance.param.name; });
+
+TEST(AtomTreeMemoryRemoval, RemovingEveryAtomGivesAllMemoryBack) {
+  const Centers centers = looseGrid({40, 40, 40}, 5);
+  const std::size_t before = heapInUse();
+  AtomTree tree(kCell, 1);
+  insertAll(tree, centers);
+  const AlignedBox3f everywhere(Vector3f::Constant(-1e3F), Vector3f::Constant(1e3F));
+  EXPECT_EQ(tree.removeInBox(everywhere), centers.size());
+  EXPECT_EQ(tree.bytes(), 0U);
+  EXPECT_NEAR(static_cast<double>(heapInUse()), static_cast<double>(before), kSlack);
+}
+
+TEST(AtomTreeMemoryRemoval, RemovingMostAtomsGivesTheirMemoryBack) {
+  AtomTree tree(kCell, 1);
+  insertAll(tree, looseGrid({40, 40, 40}, 5));
+  const std::size_t full = tree.bytes();
+  Random random(6);
+  while (tree.size() > 6400) {  // by small boxes, which leave every leaf half empty for a while
+    const Vector3f middle = drawIn(random, {Vector3f::Zero(), Vector3f::Constant(40.0F * 1.4F * kDiameter)});
+    tree.removeInBox({middle - Vector3f::Constant(3.0F), middle + Vector3f::Constant(3.0F)});
+  }
+  EXPECT_LT(tree.bytes(), full / 3);
+}
+
+TEST(AtomTreeMemoryRemoval, FillingAndEmptyingOverAndOverDoesNotGrow) {
+  const Centers centers = looseGrid({20, 20, 20}, 7);
+  AtomTree tree(kCell, 1);
+  insertAll(tree, centers);
+  const std::size_t once = tree.bytes();
+  const AlignedBox3f half(Vector3f::Constant(-1.0F), Vector3f(14.0F, 1e3F, 1e3F));
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_GT(tree.removeInBox(half), 0U);
+    for (const Vector3f& center : centers) {
+      const float value = 1.0F;
+      if (half.contains(center)) tree.insert(center, &value);
+    }
+    ASSERT_EQ(tree.size(), centers.size());
+  }
+  EXPECT_LE(tree.bytes(), once + once / 10);
+}
+
+}  // namespace
+}  // namespace atom_map

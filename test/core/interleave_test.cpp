@@ -1,0 +1,103 @@
+// The law of stochastic angular interleaving (paper III-D): with the probability of Eq. (2), about one of the
+// candidates that overlap one another remains.
+#include "atom_mapping/scan/interleave.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "ring.h"
+
+namespace atom_map {
+namespace {
+
+std::vector<Ring> rings() {
+  std::vector<Ring> all;
+  for (const float lambda : {0.0F, 0.5F, 1.0F, 4.0F, 30.0F}) {
+    for (const float distance : {3.0F, 9.7F, 24.0F}) {
+      for (const int rays : {180, 720, 1800}) all.push_back({rays, distance, lambda});
+    }
+  }
+  return all;
+}
+
+// What remains in the overlapping set of one candidate, scan after scan: the mean, and how often nothing does.
+struct Remains {
+  double mean = 0.0;
+  double none = 0.0;
+};
+
+Remains interleave(const Ring& ring, int scans, std::uint64_t seed) {
+  Random random(seed);
+  Interleaver interleaver(kRadius, ring.lambda, kMaxDistance, random);
+  const int set = ring.overlapping();
+  Remains remains;
+  for (int scan = 0; scan < scans; ++scan) {
+    int kept = 0;
+    for (int i = 0; i < set; ++i) kept += interleaver.keep(ring.distance, ring.resolution()) ? 1 : 0;
+    remains.mean += static_cast<double>(kept) / scans;
+    remains.none += kept == 0 ? 1.0 / scans : 0.0;
+  }
+  return remains;
+}
+
+TEST(Interleaving, Equation1CountsTheOverlappingSetAndAtMostOneMoreOnEachSide) {
+  for (const Ring& ring : rings()) {
+    const float k = overlapCount(touchingAngle(kRadius, ring.distance), ring.resolution());
+    EXPECT_GE(k, static_cast<float>(ring.overlapping()));
+    EXPECT_LE(k, static_cast<float>(ring.overlapping() + 2));
+  }
+}
+
+TEST(Interleaving, LeavesKTimesGammaOfEachOverlappingSet) {
+  constexpr int kScans = 20000;
+  for (const Ring& ring : rings()) {
+    const double k = ring.overlapping();
+    const double gamma = ring.keepProbabilityAt(0.0F);
+    const double error = kSigmas * std::sqrt(k * gamma * (1.0 - gamma) / kScans);
+    const double mean = interleave(ring, kScans, 1).mean;
+    EXPECT_GE(mean, k * ring.keepProbabilityAt(-1.0F) - error) << ring.distance << " m, lambda " << ring.lambda;
+    EXPECT_LE(mean, k * ring.keepProbabilityAt(1.0F) + error) << ring.distance << " m, lambda " << ring.lambda;
+  }
+}
+
+TEST(Interleaving, LeavesAboutOneWhereHolesCostNothing) {
+  for (const Ring& ring : {Ring{1800, 3.0F, 0.0F}, Ring{1800, 9.7F, 0.0F}, Ring{7200, 24.0F, 0.0F}}) {
+    EXPECT_NEAR(interleave(ring, 20000, 2).mean, 1.0, 0.08);
+  }
+}
+
+TEST(Interleaving, LeavesNothingAsOftenAsIndependentDrawsDo) {
+  constexpr int kScans = 20000;
+  for (const Ring& ring : rings()) {
+    const auto none = [&](float error) { return std::pow(1.0 - ring.keepProbabilityAt(error), ring.overlapping()); };
+    const double error = kSigmas * std::sqrt(none(0.0F) * (1.0 - none(0.0F)) / kScans) + kSigmas / kScans;
+    const double share = interleave(ring, kScans, 3).none;
+    EXPECT_LE(share, none(-1.0F) + error);
+    EXPECT_GE(share, none(1.0F) - error);
+  }
+}
+
+TEST(Interleaving, SameSeedDrawsTheSameAndAnotherSeedOthers) {
+  const auto draws = [](std::uint64_t seed) {
+    Random random(seed);
+    Interleaver interleaver(kRadius, 1.0F, kMaxDistance, random);
+    std::vector<bool> kept;
+    for (int i = 0; i < 1000; ++i) kept.push_back(interleaver.keep(0.02F * static_cast<float>(i), 0.0035F));
+    return kept;
+  };
+  EXPECT_EQ(draws(4), draws(4));
+  EXPECT_NE(draws(4), draws(5));
+}
+
+TEST(Interleaving, EveryDistanceUpToTheLongestMayBeAskedFor) {
+  Random random(6);
+  Interleaver interleaver(kRadius, 1.0F, kMaxDistance, random);
+  int kept = 0;
+  for (const float distance : {0.0F, 1e-6F, kMaxDistance}) kept += interleaver.keep(distance, 3.15F) ? 1 : 0;
+  EXPECT_LE(kept, 3);
+}
+
+}  // namespace
+}  // namespace atom_map
