@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/ros/simulated_messages.h"
 #include "atom_mapping/sim/make_scene.h"
 #include "atom_mapping/sim/simulate_scan.h"
@@ -17,12 +18,12 @@ namespace {
 
 using atom_map::LidarModel;
 using atom_map::Scene;
+using atom_map::kDegree;
 using atom_map::Trajectory;
 
 constexpr std::uint32_t kStartTime = 1500000000;  // s, stamp of the first scan
 constexpr int kTransformPeriod = 20;              // ms
 constexpr int kMargin = 200;                      // ms of transforms before the first and after the last scan
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 struct Options {
   std::string scene;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "atom_mapping/base/angles.h"
+
 namespace atom_map {
 namespace {
 
@@ -12,7 +14,6 @@ octomap::point3d toOctomap(const Eigen::Vector3d& p) {
 }  // namespace
 
 double equalVolumeVoxel(double radius) {
-  constexpr double kPi = 3.14159265358979323846;
   return radius * std::cbrt(4.0 * kPi / 3.0);
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/scan/interleave.h"
 
 namespace atom_map {
 
 DistanceCandidates traceNormals(const std::vector<SurfacePoint>& surface, const Eigen::Vector3f& sensor,
                                 const MappingParameters& parameters, Random& random) {
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   const auto radius = static_cast<float>(parameters.radius);
   const auto reach = static_cast<float>(parameters.rays.normal_distance);
   const auto resolution = static_cast<float>(parameters.scan.horizontal_resolution * kDegree);

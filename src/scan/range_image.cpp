@@ -5,10 +5,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "atom_mapping/base/angles.h"
+
 namespace atom_map {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // The rows' offset, as a fraction of their height, for which the fewest points lie near the border of two rows: so that
 // one ring never falls into two rows by the sensor's small errors of elevation.

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/scan/interleave.h"
 
 namespace atom_map {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 float logOdds(double probability) {
   return static_cast<float>(std::log(probability / (1.0 - probability)));

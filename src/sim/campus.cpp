@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/base/random.h"
 #include "atom_mapping/sim/make_scene.h"
 #include "atom_mapping/sim/scene_parts.h"
@@ -10,8 +11,6 @@ namespace atom_map {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Height is the greatest of these planes, a x + b y + c: a shallow valley.
 constexpr double kGroundPlanes[][3] = {

@@ -1,4 +1,5 @@
 // A hall of 68 x 65 x 17 m: columns and girders, containers, crates, a dock with a ramp and posts, vehicles, signs.
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/base/random.h"
 #include "atom_mapping/sim/make_scene.h"
 #include "atom_mapping/sim/scene_parts.h"
@@ -11,7 +12,6 @@ using Eigen::Vector3d;
 constexpr double kLength = 68.0;
 constexpr double kWidth = 65.0;
 constexpr double kHeight = 17.0;
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kColumnRows[] = {-24.0, -12.0, 0.0, 12.0, 24.0};  // x of the columns and of the girders over them
 
 Place floorAt(double x, double y, double yaw = 0.0) {

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/base/random.h"
 
 namespace atom_map {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPi = 3.14159265358979323846;
 
 // One laser's shot, sensor frame.
 struct Shot {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "atom_mapping/base/angles.h"
 #include "atom_mapping/sim/make_scene.h"
 
 namespace atom_map {
@@ -12,7 +13,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kSecondsPerPoint = 7.0;  // control points lie 8 or 9 m apart
 
 struct Motion {
