@@ -17,7 +17,7 @@ generate_messages(DEPENDENCIES geometry_msgs nav_msgs shape_msgs std_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES ${ATOM_MAPPING_LIBRARIES}
+  LIBRARIES ${ATOM_MAPPING_EXPORTED_LIBRARIES}
   CATKIN_DEPENDS diagnostic_msgs diagnostic_updater geometry_msgs message_filters message_runtime nav_msgs rosbag roscpp
     sensor_msgs shape_msgs std_msgs std_srvs tf2 tf2_eigen tf2_msgs tf2_ros visualization_msgs
   DEPENDS EIGEN3)

@@ -7,13 +7,13 @@ file(GLOB baseline_sources CONFIGURE_DEPENDS src/baseline/*.cpp)
 file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
 file(GLOB program_sources CONFIGURE_DEPENDS src/apps/*.cpp)
 
-set(ATOM_MAPPING_CORE_LIBRARIES atom_map_baseline atom_map_io atom_map_sim)
-# Pictures need VTK 9, which Ubuntu 20.04 lacks.
+set(ATOM_MAPPING_CORE_LIBRARIES atom_map_baseline atom_map_io atom_map_sim atom_map)
+set(ATOM_MAPPING_EXPORTED_LIBRARIES ${PROJECT_NAME}_ros ${ATOM_MAPPING_CORE_LIBRARIES})
+# Pictures need VTK 9, which Ubuntu 20.04 lacks. Not exported: see src/io/picture/headless_gl.cpp.
 find_package(VTK 9 QUIET COMPONENTS CommonCore CommonDataModel IOImage ImagingCore RenderingCore RenderingOpenGL2)
 if(VTK_FOUND)
   list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map_picture)
 else()
   list(FILTER program_sources EXCLUDE REGEX "/render_map\\.cpp$")
 endif()
-list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map)
 set(ATOM_MAPPING_LIBRARIES ${PROJECT_NAME}_ros ${ATOM_MAPPING_CORE_LIBRARIES})

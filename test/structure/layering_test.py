@@ -26,7 +26,7 @@ PLACES = {
     'ros': (7, None),
     'apps': (8, None),
 }
-TESTS_OF_CORE = 'Eigen/ pcl/ vtk hdf5 H5 nlohmann/ octomap/ gtest/ gmock/ rapidcheck'
+TESTS_OF_CORE = 'Eigen/ pcl/ vtk hdf5 H5 nlohmann/ octomap/ gtest/ gmock/ rapidcheck sanitizer/'
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 OURS = re.compile(r'atom_mapping/(?:(\w+)/)?')
