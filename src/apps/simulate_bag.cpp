@@ -16,9 +16,9 @@
 
 namespace {
 
+using atom_map::kDegree;
 using atom_map::LidarModel;
 using atom_map::Scene;
-using atom_map::kDegree;
 using atom_map::Trajectory;
 
 constexpr std::uint32_t kStartTime = 1500000000;  // s, stamp of the first scan
