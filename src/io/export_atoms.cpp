@@ -64,7 +64,7 @@ void writeCsv(const Table& table, std::ostream& out) {
 }
 
 std::string extensionOf(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
+  std::string extension = std::filesystem::path(file).extension().string();
   if (extension == ".ply" || extension == ".pcd" || extension == ".csv") return extension;
   throw std::invalid_argument("cannot export to " + file + ": name a file that ends in .ply, .pcd or .csv");
 }

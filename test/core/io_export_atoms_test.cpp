@@ -12,6 +12,7 @@
 
 #include "atom_mapping/base/random.h"
 #include "atom_mapping/io/export_atoms.h"
+#include "atom_mapping/io/read_atoms.h"
 
 namespace atom_map {
 namespace {
@@ -140,6 +141,21 @@ TEST_F(ExportAtoms, PlyAndPcdHoldEveryAtomToTheBit) {
     EXPECT_EQ(table.columns, (std::vector<std::string>{"x", "y", "z", "radius", "log_odds"}));
     EXPECT_EQ(table.types, std::vector<int>(5, PCLPointField::FLOAT32));
     expectSame(table.rows, rowsOf(map_), 0.0);
+  }
+}
+
+TEST_F(ExportAtoms, RenderMapReadsThePly) {
+  for (const Eigen::Vector3d& origin : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(691608, 5334760, 520)}) {
+    const AtomMap map = makeMap(Mode::kOccupancy, origin, 100);
+    exportAtoms(map, path("map.ply"));
+    const ExportedAtoms atoms = readAtoms(path("map.ply"));
+    EXPECT_EQ(atoms.radius, map.radius());
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < atoms.centers.size(); ++i) {
+      const Eigen::Vector3d center = atoms.origin + atoms.centers[i].cast<double>();
+      rows.push_back({center.x(), center.y(), center.z(), atoms.radius, atoms.log_odds[i]});
+    }
+    expectSame(rows, rowsOf(map), 1e-5);
   }
 }
 

@@ -1,0 +1,229 @@
+// The program atom_mapping_offline, started as a user would, on bags made here.
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <std_msgs/String.h>
+#include <sys/wait.h>
+#include <tf2_msgs/TFMessage.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "atom_mapping/ros/simulated_messages.h"
+#include "atom_mapping/sim/make_scene.h"
+
+namespace atom_mapping {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+ros::Time stampOf(int scan) {
+  return ros::Time(1500000000) + ros::Duration(0.1 * scan);
+}
+
+std_msgs::Header headerOf(int scan, const std::string& frame) {
+  std_msgs::Header header;
+  header.stamp = stampOf(scan);
+  header.frame_id = frame;
+  return header;
+}
+
+sensor_msgs::PointCloud2 cloudOf(int scan) {
+  const auto drive = atom_map::makeTrajectory("cube");
+  const auto simulated = atom_map::simulateScan(atom_map::makeScene("cube"), drive, 0.1 * scan, {}, 1);
+  return atom_map::toPointCloud2(simulated, headerOf(scan, "velodyne"));
+}
+
+tf2_msgs::TFMessage transformOf(int scan, const std::string& fixed_frame) {
+  tf2_msgs::TFMessage message;
+  const auto pose = atom_map::makeTrajectory("cube").sensorPose(0.1 * scan);
+  message.transforms.push_back(atom_map::toTransformStamped(pose, headerOf(scan, fixed_frame), "velodyne"));
+  return message;
+}
+
+// What a bag of five scans holds.
+struct BagContent {
+  std::vector<std::string> cloud_topics = {"/velodyne_points"};
+  std::string fixed_frame = "map";  // empty: there are no transforms
+  double transform_delay = 0.0;     // s after the cloud that a transform is recorded
+  int first_transform = 0;          // scan from which on there are some
+};
+
+class Offline : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string writeBag(const std::string& name, const BagContent& content) const {
+    rosbag::Bag bag(path(name), rosbag::bagmode::Write);
+    bag.write("/chatter", stampOf(0), std_msgs::String());
+    for (int scan = 0; scan < 5; ++scan) {
+      for (const std::string& topic : content.cloud_topics) bag.write(topic, stampOf(scan), cloudOf(scan));
+      if (content.fixed_frame.empty() || scan < content.first_transform) continue;
+      const ros::Time recorded = stampOf(scan) + ros::Duration(content.transform_delay);
+      bag.write("/tf", recorded, transformOf(scan, content.fixed_frame));
+    }
+    return path(name);
+  }
+
+  std::string writeText(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name)) << text;
+    return path(name);
+  }
+
+  // Runs the program, with a roscore out of reach.
+  Result run(const std::string& arguments) const {
+    const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "atom_mapping_offline";
+    const std::string command = "ROS_MASTER_URI=http://127.0.0.1:1 " + program.string() + " " + arguments + " >" +
+                                path("out") + " 2>" + path("err");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path("out")), contents(path("err"))};
+  }
+
+  void expectFault(const std::string& arguments, const std::string& message) const {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_TRUE(contains(result.err, "atom_mapping_offline: ")) << result.err;
+    EXPECT_TRUE(contains(result.err, message)) << arguments << ": " << result.err;
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("offline_" + std::to_string(getpid()));
+};
+
+TEST_F(Offline, MapsABagAndTellsWhatCameOfIt) {
+  const std::string bag = writeBag("five.bag", {});
+  const Result result = run("--bag " + bag + " --export " + path("a.ply") + " --export " + path("a.csv"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const char* part : {"five.bag, /velodyne_points\n", "scans mapped      5 in ", "scans dropped     0\n",
+                           "points            ", "\natoms             ", " an atom\n", "\n  merge "}) {
+    EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
+  }
+  const std::size_t at = result.out.find("\natoms") + 19;
+  const std::string atoms = result.out.substr(at, result.out.find('\n', at) - at);
+  EXPECT_GT(std::stoi(atoms), 10);
+  EXPECT_TRUE(contains(contents(path("a.ply")), "element vertex " + atoms + "\n"));
+  const std::string csv = contents(path("a.csv"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), std::stoi(atoms) + 1);
+  EXPECT_TRUE(contains(result.err, "100 %  5 of 5 scans in 0:0")) << result.err;
+  EXPECT_FALSE(contains(result.err, "\r")) << "a bar in a log";
+}
+
+TEST_F(Offline, TheSameBagGivesTheSameBytes) {
+  const std::string bag = writeBag("five.bag", {});
+  ASSERT_EQ(run("--bag " + bag + " --export " + path("a.ply")).exit_code, 0);
+  ASSERT_EQ(run("--bag " + bag + " --export " + path("b.ply")).exit_code, 0);
+  EXPECT_EQ(contents(path("a.ply")), contents(path("b.ply")));
+}
+
+TEST_F(Offline, ArgumentsOverruleTheConfiguration) {
+  const std::string bag = writeBag("five.bag", {});
+  const std::string config = writeText("config.yaml", "radius: 0.3\nscan: {max_range: 1.2}\n");
+  Result result = run("--bag " + bag + " --config " + config + " --export " + path("a.ply"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(contents(path("a.ply")), "comment radius 0.3\n"));
+  EXPECT_TRUE(contains(result.out, "too far"));
+  result = run("--bag " + bag + " --config " + config + " --radius 0.2 --scans 2 --export " + path("a.ply"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(contents(path("a.ply")), "comment radius 0.2\n"));
+  EXPECT_TRUE(contains(result.out, "scans mapped      2 in "));
+  EXPECT_TRUE(contains(result.err, "2 of 2 scans"));
+}
+
+TEST_F(Offline, TransformsRecordedSecondsLaterStillServe) {
+  BagContent late;
+  late.transform_delay = 5.0;
+  const Result result = run("--bag " + writeBag("late.bag", late));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "scans mapped      5 in ")) << result.out;
+}
+
+TEST_F(Offline, ScansWithoutTransformAreDroppedAndCounted) {
+  BagContent part;
+  part.first_transform = 2;
+  const Result result = run("--bag " + writeBag("part.bag", part));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "scans mapped      3 in ")) << result.out;
+  EXPECT_TRUE(contains(result.out, "scans dropped     2, no transform 2\n")) << result.out;
+}
+
+TEST_F(Offline, TheTopicOfTheCloudsIsFoundOrAsked) {
+  const std::string one = writeBag("one.bag", {{"/points"}});
+  const std::string usual = writeBag("usual.bag", {{"/a", "/velodyne_points"}});
+  const std::string two = writeBag("two.bag", {{"/a", "/b"}});
+  EXPECT_TRUE(contains(run("--bag " + one).out, "one.bag, /points\n"));
+  EXPECT_TRUE(contains(run("--bag " + usual).out, "usual.bag, /velodyne_points\n"));
+  EXPECT_TRUE(contains(run("--bag " + two + " --topic /b").out, "two.bag, /b\n"));
+  expectFault("--bag " + two, "several topics of clouds, choose one by --topic: /a, /b\n");
+  expectFault("--bag " + two + " --topic /c", "holds no clouds on /c, but on /a, /b\n");
+  expectFault("--bag " + two + " --topic /chatter", "holds no clouds on /chatter, but on /a, /b\n");
+  expectFault("--bag " + writeBag("none.bag", {{}, "map"}), "its topics: /chatter (std_msgs/String), /tf (");
+}
+
+TEST_F(Offline, ABagWithoutTheTransformsIsRefused) {
+  expectFault("--bag " + writeBag("no_tf.bag", {{"/velodyne_points"}, ""}), "holds no tf: record /tf");
+  expectFault(
+      "--bag " + writeBag("odom.bag", {{"/velodyne_points"}, "odom"}),
+      "nothing was mapped (tf knows odom, velodyne; the parameter map_frame names the map's frame): no transform");
+}
+
+TEST_F(Offline, AFileThatIsNoWholeBagIsRefused) {
+  const std::string whole = contents(writeBag("whole.bag", {}));
+  expectFault("--bag " + path("missing.bag"), "cannot open " + path("missing.bag") + ": No such file or directory\n");
+  expectFault("--bag " + folder_.string(), " is no bag of ROS 1\n");
+  expectFault("--bag " + writeText("empty.bag", ""), " is no bag of ROS 1\n");
+  expectFault("--bag " + writeText("text.bag", "hello"), " is no bag of ROS 1\n");
+  for (const std::size_t size : {std::size_t{13}, std::size_t{5000}, whole.size() / 2, whole.size() - 1}) {
+    const std::string cut = writeText("cut.bag", whole.substr(0, size));
+    expectFault("--bag " + cut, "`rosbag reindex " + cut + "`");
+  }
+}
+
+TEST_F(Offline, ABagWhoseRecordingWasInterruptedIsRefused) {
+  rosbag::Bag bag(path("open.bag"), rosbag::bagmode::Write);
+  bag.setChunkThreshold(1);
+  for (int scan = 0; scan < 5; ++scan) bag.write("/velodyne_points", stampOf(scan), cloudOf(scan));
+  expectFault("--bag " + path("open.bag"), "open.bag has no index, its recording was cut short");
+  bag.close();
+}
+
+TEST_F(Offline, BadArgumentsAreRefused) {
+  const std::string bag = "--bag " + writeBag("five.bag", {});
+  expectFault("", "--bag is required\n");
+  expectFault(bag + " --radius -1", "radius is -1; it must be ");
+  expectFault(bag + " --radius nan", "radius is nan; it must be ");
+  expectFault(bag + " --radius wide", "--radius");
+  expectFault(bag + " --mode tsdf", "mode is 'tsdf'; it must be occupancy or signed_distance\n");
+  expectFault(bag + " --scans 0", "--scans");
+  expectFault(bag + " --config " + path("none.yaml"), "cannot open --config " + path("none.yaml") + "\n");
+  expectFault(bag + " --config " + writeText("bad.yaml", "radius: ["), "bad.yaml: ");
+  expectFault(bag + " --config " + writeText("unknown.yaml", "raduis: 1"), "raduis is no parameter");
+  expectFault(bag + " --export " + path("map.obj"), "name a file that ends in .ply, .pcd or .csv\n");
+  expectFault(bag + " --export " + path("none/map.ply"), "none/map.ply: No such file or directory\n");
+  EXPECT_EQ(run("--help").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace atom_mapping
