@@ -18,13 +18,14 @@ struct Steps {
   int column;
 };
 
-Steps stepsAt(float range, const ScanParameters& parameters) {
+Steps stepsAt(float range, const RangeImage& image, const ScanParameters& parameters) {
   const double angle = parameters.normal_support / range;
   const auto steps = [&](double resolution, int samples) {
     return static_cast<int>(std::lround(angle / (resolution * kDegree * samples)));
   };
+  const int widest = std::clamp(image.columns() / (4 * kSamplesBeside), 1, 30);  // samples span half a turn at most
   return {std::clamp(steps(parameters.vertical_resolution, kRingsBeside), 1, 3),
-          std::clamp(steps(parameters.horizontal_resolution, kSamplesBeside), 1, 30)};
+          std::clamp(steps(parameters.horizontal_resolution, kSamplesBeside), 1, widest)};
 }
 
 // The return in a pixel or in one beside it; -1 without one.
@@ -42,7 +43,7 @@ Neighborhood collectNeighbors(const FilteredScan& scan, const RangeImage& image,
   Neighborhood neighbors;
   const Eigen::Vector3f& point = scan.points[ray];
   const float range = point.norm();
-  const Steps steps = stepsAt(range, parameters);
+  const Steps steps = stepsAt(range, image, parameters);
   const auto ring_spacing = static_cast<float>(range * parameters.vertical_resolution * kDegree * steps.row);
   const float reach = std::max(ring_spacing, static_cast<float>(parameters.normal_support));
   const auto noise = static_cast<float>(parameters.range_noise);

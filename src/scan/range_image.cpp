@@ -60,10 +60,10 @@ RangeImage::RangeImage(const std::vector<Eigen::Vector3f>& points, double horizo
 }
 
 std::int32_t RangeImage::at(int row, int column) const {
-  assert(column >= -columns_ && column < 2 * columns_);
   if (row < 0 || row >= rows_) return -1;
   if (column < 0) column += columns_;
   if (column >= columns_) column -= columns_;
+  assert(column >= 0 && column < columns_);
   return nearest_[static_cast<std::size_t>(row) * columns_ + column];
 }
 
