@@ -27,7 +27,8 @@ double secondsToSearch(const AtomTree& tree, const Centers& at) {
   return best;
 }
 
-// A list would take 100 times as long. 12 leaves room for caches, which the small map fits into and the large does not.
+// A list would take 100 times as long. 40 leaves room for caches, which the small map fits into and the large does not,
+// and for a busy machine.
 TEST(AtomTreeCost, ASearchInADriveOfTenKilometresCostsLittleMoreThanInAHundredMetres) {
   const Centers drive = looseGrid({7200, 5, 3}, 4);
   const Centers start(drive.begin(), drive.begin() + static_cast<std::ptrdiff_t>(drive.size() / 100));
@@ -36,7 +37,7 @@ TEST(AtomTreeCost, ASearchInADriveOfTenKilometresCostsLittleMoreThanInAHundredMe
   Centers near;
   while (near.size() < everywhere.size()) near.insert(near.end(), start.begin(), start.end());
   near.resize(everywhere.size());
-  EXPECT_LT(secondsToSearch(makeTree(drive), everywhere), 12.0 * secondsToSearch(makeTree(start), near));
+  EXPECT_LT(secondsToSearch(makeTree(drive), everywhere), 40.0 * secondsToSearch(makeTree(start), near));
 }
 
 }  // namespace
