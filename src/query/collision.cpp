@@ -13,11 +13,22 @@ using Eigen::Vector3f;
 
 constexpr float kMaxSteps = 1000.0F;  // from center to rim; such a sphere leaves any map
 
-bool overlapsOccupied(const AtomMap& map, const Vector3f& center, float radius) {
-  const float sign = map.mode() == Mode::kOccupancy ? 1.0F : -1.0F;
+bool isOccupied(const AtomMap& map, ConstAtomRef atom) {
+  return classify(map.mode() == Mode::kOccupancy ? atom.value() : -atom.value()) == Occupancy::kOccupied;
+}
+
+// At a distance from `from`, on the way to another point.
+Vector3f pointTowards(const Vector3f& from, const Vector3f& to, float distance) {
+  return from + distance * (to - from).normalized();
+}
+
+bool reachesOccupied(const AtomMap& map, const Vector3f& center, float radius) {
   bool found = false;
-  map.atoms().forEachWithin(center, radius + map.radius(), [&](ConstAtomRef atom, float /*squared_distance*/) {
-    found = found || classify(sign * atom.value()) == Occupancy::kOccupied;
+  map.atoms().forEachWithin(center, radius + 2.0F * map.radius(), [&](ConstAtomRef atom, float squared_distance) {
+    if (found || !isOccupied(map, atom)) return;
+    const float distance = std::sqrt(squared_distance);
+    found = distance < radius + map.radius() ||
+            classify(interpolate(map, pointTowards(center, atom.center(), radius))) == Occupancy::kOccupied;
   });
   return found;
 }
@@ -58,7 +69,7 @@ bool reachesUnknown(const AtomMap& map, const Vector3f& center, float radius) {
 }  // namespace
 
 bool collides(const AtomMap& map, const Vector3f& center, float radius, bool unknown_is_free) {
-  return overlapsOccupied(map, center, radius) || (!unknown_is_free && reachesUnknown(map, center, radius));
+  return reachesOccupied(map, center, radius) || (!unknown_is_free && reachesUnknown(map, center, radius));
 }
 
 }  // namespace atom_map

@@ -1,9 +1,8 @@
 #include "atom_mapping/ros/map_queries.h"
 
-#include <tf2/exceptions.h>
-
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "atom_mapping/query/cast_ray.h"
 #include "atom_mapping/query/collision.h"
@@ -46,11 +45,11 @@ Response answered(Fill&& fill) {
     return response;
   } catch (const Refusal& refusal) {
     fault = refusal.what();
-  } catch (const tf2::TransformException& exception) {
-    fault = std::string("frame_id cannot be brought to the map frame: ") + exception.what() +
-            "; name a frame that tf knows, or leave it empty for the map frame";
   } catch (const BadTransform& exception) {
     fault = std::string("tf's transform from frame_id to the map frame is bad: ") + exception.what();
+  } catch (const std::runtime_error& exception) {  // tf2::TransformException, and of stamps too far apart to subtract
+    fault = std::string("frame_id cannot be brought to the map frame: ") + exception.what() +
+            "; name a frame that tf knows, or leave it empty for the map frame";
   }
   Response refused;
   refused.success = 0;

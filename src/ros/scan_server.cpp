@@ -1,11 +1,11 @@
 #include "atom_mapping/ros/scan_server.h"
 
-#include <tf2/exceptions.h>
-
 #include <sstream>
+#include <stdexcept>
 
 #include "atom_mapping/ros/cloud_conversion.h"
 #include "atom_mapping/ros/frame_name.h"
+#include "atom_mapping/ros/header_fault.h"
 #include "atom_mapping/ros/pose_conversion.h"
 #include "atom_mapping/ros/scan_report_message.h"
 
@@ -17,11 +17,6 @@ class OutOfOrder : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void checkHeader(const std_msgs::Header& header) {
-  if (header.frame_id.empty()) throw MalformedCloud("its frame_id is empty; it must name the sensor's frame");
-  if (header.stamp.isZero()) throw MalformedCloud("its stamp is zero; it must be the time of the scan");
-}
-
 }  // namespace
 
 ScanServer::ScanServer(const atom_map::MappingParameters& parameters)
@@ -31,7 +26,7 @@ ScanOutcome ScanServer::insert(const sensor_msgs::PointCloud2& cloud, const tf2:
   const ros::Time& stamp = cloud.header.stamp;
   const std::string frame = withoutSlash(cloud.header.frame_id);
   try {
-    checkHeader(cloud.header);
+    if (const auto fault = headerFault(cloud.header)) throw MalformedCloud(*fault);
     const auto scan = toLidarScan(cloud, mapper_.parameters().scan.clear_no_returns);
     const std::uint64_t era = checkOrder(stamp);
     const auto pose = toPose(transforms.lookupTransform(map_frame_, frame, stamp).transform);
@@ -42,10 +37,10 @@ ScanOutcome ScanServer::insert(const sensor_msgs::PointCloud2& cloud, const tf2:
     return drop(Drop::kMalformed, std::string("malformed cloud: ") + fault.what());
   } catch (const OutOfOrder& fault) {
     return drop(Drop::kOutOfOrder, fault.what());
-  } catch (const tf2::TransformException& fault) {
-    return drop(Drop::kNoTransform, "no transform from " + frame + " to " + map_frame_ + ": " + fault.what());
   } catch (const BadTransform& fault) {
     return drop(Drop::kBadTransform, "bad transform from " + frame + " to " + map_frame_ + ": " + fault.what());
+  } catch (const std::runtime_error& fault) {  // tf2::TransformException, and of stamps too far apart to subtract
+    return drop(Drop::kNoTransform, "no transform from " + frame + " to " + map_frame_ + ": " + fault.what());
   }
 }
 

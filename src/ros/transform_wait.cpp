@@ -1,9 +1,11 @@
 #include "atom_mapping/ros/transform_wait.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "atom_mapping/ros/frame_name.h"
+#include "atom_mapping/ros/header_fault.h"
 
 namespace atom_mapping {
 
@@ -24,9 +26,7 @@ TransformWait::TransformWait(tf2::BufferCore& transforms, std::string map_frame,
 }
 
 void TransformWait::add(const CloudPtr& cloud) {
-  const std_msgs::Header& header = cloud->header;
-  const bool is_hopeless = header.frame_id.empty() || header.stamp.isZero();  // the server says what is wrong with it
-  if (is_hopeless) return handlers_.ready(cloud);
+  if (headerFault(cloud->header)) return handlers_.ready(cloud);  // the server refuses it
   waiting_.push_back({cloud, Clock::now() + timeout_});
   filter_.add(cloud);
 }
@@ -53,7 +53,12 @@ std::deque<TransformWait::CloudPtr> TransformWait::clear() {
 }
 
 bool TransformWait::canTransform(const CloudPtr& cloud, std::string* why) const {
-  return transforms_.canTransform(map_frame_, withoutSlash(cloud->header.frame_id), cloud->header.stamp, why);
+  try {
+    return transforms_.canTransform(map_frame_, withoutSlash(cloud->header.frame_id), cloud->header.stamp, why);
+  } catch (const std::runtime_error& fault) {  // of stamps too far apart to subtract
+    if (why != nullptr) *why = fault.what();
+    return false;
+  }
 }
 
 // Whether it was waiting still.

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 
+#include <array>
 #include <future>
 
+#include "atom_mapping/base/random.h"
 #include "atom_mapping/ros/scan_worker.h"
 #include "atom_mapping/ros/transform_wait.h"
 #include "simulated_input.h"
@@ -138,6 +140,31 @@ TEST_F(TransformWaitTest, ClearForgetsAndReturnsThem) {
   wait_->add(makeCloud(1));
   run();
   EXPECT_EQ(ready_.size(), 1U);
+}
+
+TEST_F(TransformWaitTest, SurvivesRandomHeaders) {
+  make(0.0, 3);
+  tellTransform(0);
+  tellTransform(1);
+  atom_map::Random random(3);
+  const std::array<std::string, 7> frames{"", "/", "//", "velodyne", "/velodyne", "map", std::string("a\0\xff b", 5)};
+  const std::array<std::uint32_t, 10> numbers{
+      0, 1, SimulatedDrive::kStart, 100000000, 999999999, 1000000000, 0x7FFFFFFF, 0x80000000, 4000000000, 0xFFFFFFFF};
+  ScanServer server{atom_map::MappingParameters()};
+  std::size_t count = 0;
+  for (; count < 10000; ++count) {
+    auto cloud = boost::make_shared<sensor_msgs::PointCloud2>();
+    cloud->header.frame_id = frames[random.next() % frames.size()];
+    cloud->header.stamp.sec = numbers[random.next() % numbers.size()];
+    cloud->header.stamp.nsec = numbers[random.next() % numbers.size()];
+    wait_->add(cloud);
+    run();
+    wait_->expire();
+  }
+  EXPECT_EQ(ready_.size() + given_up_.size(), count);
+  for (const CloudPtr& cloud : ready_) server.insert(*cloud, transforms_);
+  EXPECT_GT(server.counts().droppedFor(Drop::kMalformed), count / 10);
+  EXPECT_GT(server.counts().mapped, 10U);
 }
 
 // A worker that stands still in its first cloud until released.

@@ -63,7 +63,11 @@ inline std::vector<Fault> malformations() {
           {"no data", [](auto& c) { c.data.clear(); }},
           {"a width of 4 billion", [](auto& c) { c.width = 4000000000U; }},
           {"no frame", [](auto& c) { c.header.frame_id.clear(); }},
-          {"no stamp", [](auto& c) { c.header.stamp = ros::Time(); }}};
+          {"a frame of nothing but a slash", [](auto& c) { c.header.frame_id = "/"; }},
+          {"a frame of two slashes", [](auto& c) { c.header.frame_id = "//velodyne"; }},
+          {"no stamp", [](auto& c) { c.header.stamp = ros::Time(); }},
+          {"a stamp at the end of time", [](auto& c) { c.header.stamp = ros::Time(0xFFFFFFFFU, 999999999U); }},
+          {"a stamp of too many nanoseconds", [](auto& c) { c.header.stamp.nsec = 0xFFFFFFFFU; }}};
 }
 
 }  // namespace atom_mapping
