@@ -15,7 +15,7 @@ namespace atom_map {
 namespace {
 
 TEST(Normals, OfTheHallAreWithinFiveDegreesAndHardlyEverOverThirty) {
-  const Drive drive = makeDrive("hall", 10, 4);
+  const Drive drive = makeDrive("hall", 6, 7);
   std::map<std::string, Errors> errors;
   NormalReport report;
   for (const SimulatedScan& scan : drive.simulated) {
@@ -47,7 +47,7 @@ TEST(Normals, OfExactPlanesAreExact) {
   model.noise_sigma = 0.0;
   Random random(2);
   std::size_t points = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d up = drawDirection(random).cast<double>().normalized();
     const ConvexPolyhedron beneath({Plane(up, static_cast<double>(draw(random, 1.0F, 8.0F)))});
     const SimulatedScan scan = scanFromOrigin({{beneath, SurfaceKind::kGround}}, model);
