@@ -6,6 +6,7 @@ cd "$repository"
 
 export ATOM_MAPPING_DATA=${ATOM_MAPPING_DATA:-$repository/../shared/data}
 export ROS_HOME=$workspace/ros_home
+export ROS_HOSTNAME=localhost
 report=$workspace/test_report.txt
 builds=()
 outcomes=()
