@@ -40,7 +40,7 @@ void AtomBlock::resize(std::uint32_t size) {
   if (capacity() == old_capacity) return;
   auto data = size == 0 ? nullptr : std::make_unique<float[]>(std::size_t{3U + value_count_} * capacity());
   for (std::uint32_t c = 0; size != 0 && c < 3U + value_count_; ++c) {
-    std::copy_n(&data_[std::size_t{c} * old_capacity], kept, &data[std::size_t{c} * capacity()]);
+    std::copy_n(data_.get() + std::size_t{c} * old_capacity, kept, data.get() + std::size_t{c} * capacity());
   }
   std::fill(data.get() + kept, data.get() + capacity(), std::numeric_limits<float>::infinity());
   data_ = std::move(data);
