@@ -30,7 +30,6 @@ class MappingNode {
  public:
   explicit MappingNode(const Parameters& parameters)
       : server_(parameters.mapping),
-        listener_(transforms_),
         queries_(server_, transforms_, parameters.node.services),
         diagnostics_(node_, server_),
         reports_(private_node_.advertise<ScanReport>("scan_report", kReportQueue, true)),
@@ -73,13 +72,13 @@ class MappingNode {
   ThrottledLog log_;
   ScanServer server_;
   tf2::BufferCore transforms_;
-  tf2_ros::TransformListener listener_;
   MapQueries queries_;
   NodeDiagnostics diagnostics_;
   ros::Publisher reports_;
   MapPublisher publisher_;
   ScanInput input_;
   std::vector<ros::ServiceServer> services_;
+  tf2_ros::TransformListener listener_{transforms_};  // stops first: it calls what waits for transforms
 };
 
 int run() {

@@ -44,8 +44,9 @@ void TransformWait::expire() {
   }
 }
 
+// MessageFilter::clear would pull its callback from under the thread in which tf may be calling it; what the filter still
+// says of these clouds is ignored, as they are not waiting any more.
 std::deque<TransformWait::CloudPtr> TransformWait::clear() {
-  filter_.clear();
   std::deque<CloudPtr> clouds;
   for (const Waiting& waiting : waiting_) clouds.push_back(waiting.cloud);
   waiting_.clear();

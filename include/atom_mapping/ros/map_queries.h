@@ -18,7 +18,7 @@ namespace atom_mapping {
 // scans go on meanwhile; a long request may therefore see the map before and after a scan.
 class MapQueries {
  public:
-  static constexpr float kLargestSphere = 64.0F;  // atomic radii; a longer search for unknown space would hold scans up
+  static constexpr float kLargestSphere = 32.0F;  // atomic radii; a longer search for unknown space would hold scans up
 
   MapQueries(ScanServer& server, const tf2::BufferCore& transforms, const ServiceParameters& parameters)
       : server_(server), transforms_(transforms), parameters_(parameters) {}

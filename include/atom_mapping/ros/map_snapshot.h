@@ -28,7 +28,7 @@ struct MapSnapshot {
   std::vector<Atom> atoms;
 };
 
-// Holds scans up for as long as copying takes: some 10 ms for a million atoms.
+// Holds scans up for as long as copying takes: 10 to 30 ms for a million atoms.
 MapSnapshot takeSnapshot(const ScanServer& server);
 
 }  // namespace atom_mapping
