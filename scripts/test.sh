@@ -40,10 +40,10 @@ checkLint() { catkin_lint --offline --strict "$repository"; }
 checkTidy() {
   local stamps=$workspace/tidy objects=$workspace/build/atom_mapping/CMakeFiles stale=() source stamp
   mkdir -p "$stamps"
-  for source in src/*/*.cpp; do
+  while read -r source; do
     stamp=$stamps/${source//\//_}
     if [[ ! $stamp -nt .clang-tidy || $(find "$objects" -path "*/$source.o" -newer "$stamp") ]]; then stale+=("$source"); fi
-  done
+  done < <(find src -name '*.cpp')
   [[ ${#stale[@]} -eq 0 ]] || printf '%s\n' "${stale[@]}" | xargs -d '\n' -P "$jobs" -I{} bash -c '
     clang-tidy --quiet -p "$0/build" "$0/src/atom_mapping/{}" 2>/dev/null && name={} && touch "$1/${name//\//_}"' \
     "$workspace" "$stamps"

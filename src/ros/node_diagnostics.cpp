@@ -14,7 +14,7 @@ const char* toString(atom_map::Mode mode) {
 
 }  // namespace
 
-NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const ScanServer& server) : server_(server) {
+NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ScanServer& server) : server_(server) {
   updater_.setHardwareID("none");
   updater_.add("scans", this, &NodeDiagnostics::describeScans);
   updater_.add("map", this, &NodeDiagnostics::describeMap);

@@ -15,7 +15,7 @@ namespace atom_mapping {
 class NodeDiagnostics {
  public:
   // Reports are sent from the node's callback queue.
-  NodeDiagnostics(ros::NodeHandle node, const ScanServer& server);
+  NodeDiagnostics(const ros::NodeHandle& node, const ScanServer& server);
 
   // Of each scan that was mapped. `delay`: s from its stamp to its being in the map.
   void noteScan(const ScanReport& report, double delay);

@@ -89,8 +89,8 @@ std::vector<Eigen::Vector3f> colorAtoms(const std::vector<Eigen::Vector3f>& cent
 
   std::vector<Eigen::Vector3f> colors;
   for (std::size_t i = 0; i < centers.size(); ++i) {
-    const Eigen::Vector3f color = heightColor((centers[i].z() - low) / span) * (0.25F + 0.95F * light[i]);
-    colors.push_back(color.cwiseMin(1.0F));
+    const float lit = 0.25F + 0.95F * light[i];
+    colors.emplace_back((lit * heightColor((centers[i].z() - low) / span)).cwiseMin(1.0F));
   }
   return colors;
 }
