@@ -45,5 +45,7 @@ memory_gb=$(awk '/MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
 jobs=$((memory_gb / 2 < $(nproc) ? memory_gb / 2 : $(nproc)))
 jobs=${JOBS:-$((jobs > 1 ? jobs : 1))}
 
+# Another clone of the repository finds in the cache what this one compiled.
+export CCACHE_BASEDIR=$repository CCACHE_NOHASHDIR=1
 compiler_cache=()
 if command -v ccache >/dev/null; then compiler_cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
