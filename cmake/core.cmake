@@ -20,7 +20,7 @@ target_link_libraries(atom_map PUBLIC Eigen3::Eigen Threads::Threads)
 
 # surface, io: meshes, files. PCL's files and not its targets: those drag in all of VTK, MPI too.
 add_library(atom_map_io ${io_sources})
-target_link_libraries(atom_map_io PUBLIC atom_map ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY})
+target_link_libraries(atom_map_io PUBLIC atom_map ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY} PRIVATE ${surface_vtk})
 
 # io/picture: a library of its own, since what draws must not weigh on the nodes
 if(TARGET VTK::RenderingOpenGL2)

@@ -1,13 +1,13 @@
 #include "atom_mapping/map/drop_crossing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "atom_mapping/map/atom_tree.h"
 
 namespace atom_map {
 
-void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float noise,
-                  std::vector<DistanceCandidate>& infront) {
+void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float noise, DistanceCandidates& candidates) {
   constexpr float kSlack = 0.1F;  // of the distance: curved surfaces come nearer than their tangent planes
   AtomTree points(radius, 1);
   for (const SurfacePoint& point : surface) {
@@ -15,10 +15,12 @@ void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float 
     points.insert(point.position, &unused);
   }
   const auto crosses = [&](const DistanceCandidate& candidate) {
-    const float clearance = (1.0F - kSlack) * candidate.distance - 3.0F * noise;
+    const float clearance = (1.0F - kSlack) * std::abs(candidate.distance) - 3.0F * noise;
     return clearance > 0.0F && points.nearest(candidate.center, clearance).has_value();
   };
-  infront.erase(std::remove_if(infront.begin(), infront.end(), crosses), infront.end());
+  for (auto* side : {&candidates.behind, &candidates.infront}) {
+    side->erase(std::remove_if(side->begin(), side->end(), crosses), side->end());
+  }
 }
 
 }  // namespace atom_map

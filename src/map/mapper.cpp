@@ -90,7 +90,7 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
       timed(report.seconds.rays, [&] { return traceNormals(surface, sensor, parameters_, random); });
   candidates = gridFiltered(std::move(candidates), report);
   timed(report.seconds.candidate_filter, [&] {
-    dropCrossing(surface, map_.radius(), static_cast<float>(parameters_.scan.range_noise), candidates.infront);
+    dropCrossing(surface, map_.radius(), static_cast<float>(parameters_.scan.range_noise), candidates);
     return 0;
   });
   DistanceMerge merging(map_, parameters_.signed_distance);

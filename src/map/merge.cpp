@@ -9,9 +9,7 @@
 namespace atom_map {
 
 OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters)
-    : map_(map),
-      max_log_odds_(static_cast<float>(parameters.max_log_odds)),
-      hold_distance_(map.radius() + static_cast<float>(parameters.hold_margin)) {
+    : map_(map), max_log_odds_(static_cast<float>(parameters.max_log_odds)) {
   assert(map.mode() == Mode::kOccupancy);
 }
 
@@ -26,7 +24,7 @@ void OccupancyMerge::add(const Candidate& candidate) {
   map_.atoms().forEachWithin(candidate.center, AtomMap::kOverlapTolerance * diameter,
                              [&](AtomRef atom, float squared_distance) {
                                overlaps = true;
-                               if (occupied && squared_distance < hold_distance_ * hold_distance_)
+                               if (occupied && squared_distance < candidate.hold * candidate.hold)
                                  held_.insert(atom.center());
                                if (!occupied && held_.contains(atom.center())) return;
                                const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter);

@@ -5,23 +5,52 @@
 namespace atom_map {
 namespace {
 
-constexpr int kMaxNeighbors = 64;
+constexpr int kMaxNeighbors = 64;  // the range of gaussian_process/neighbors
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxNeighbors, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxNeighbors, kMaxNeighbors>;
+using Offsets = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxNeighbors>;
 
-// Kernel matrix among the neighbours plus the noise, lower triangle. `alpha` per square metre.
-Matrix covariance(const std::vector<Neighbor>& neighbors, double alpha, double noise_variance) {
+// What differs between the modes.
+struct Kernel {
+  double alpha;           // per square metre
+  double noise_variance;  // sigma_n^2, in squared units
+  double unit;            // of the values, so that the kernel's variance of 1 fits them
+  double variance_share;  // of the atoms' own variance, per squared unit
+};
+
+Kernel makeKernel(const AtomMap& map, const GaussianProcessParameters& parameters) {
+  const double radius = map.radius();
+  const double square = radius * radius;
+  if (map.mode() == Mode::kOccupancy) return {parameters.alpha / square, parameters.noise_variance, 1.0, 0.0};
+  return {parameters.distance_alpha / square, parameters.distance_noise, radius,
+          parameters.atom_variance_share / square};
+}
+
+// The atoms that a query is trained on, as seen from it.
+struct Training {
+  Offsets offsets;  // m
+  Vector values;    // units
+  Vector noise;     // squared units
+};
+
+Training makeTraining(const std::vector<Neighbor>& neighbors, const Eigen::Vector3f& query, const Kernel& kernel) {
   const auto n = static_cast<Eigen::Index>(neighbors.size());
-  Matrix sigma(n, n);
+  Training training{Offsets(3, n), Vector(n), Vector(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < i; ++j) {
-      const Eigen::Vector3f apart =
-          neighbors[static_cast<std::size_t>(i)].center - neighbors[static_cast<std::size_t>(j)].center;
-      sigma(i, j) = std::exp(-alpha * apart.squaredNorm());  // Eq. (7)
-    }
-    sigma(i, i) = 1.0 + noise_variance;
+    const Neighbor& neighbor = neighbors[static_cast<std::size_t>(i)];
+    training.offsets.col(i) = (neighbor.center - query).cast<double>();
+    training.values[i] = neighbor.values[0] / kernel.unit;
+    training.noise[i] = kernel.noise_variance + kernel.variance_share * neighbor.values[1];
   }
-  return sigma;
+  return training;
+}
+
+// Eq. (7) between the training atoms.
+Matrix covariance(const Offsets& offsets, const Vector& squared, double alpha) {
+  const auto n = offsets.cols();
+  Matrix exponents = 2.0 * offsets.transpose().lazyProduct(offsets);
+  exponents -= squared.replicate(1, n) + squared.transpose().replicate(n, 1);
+  return (alpha * exponents).array().exp();
 }
 
 }  // namespace
@@ -29,34 +58,25 @@ Matrix covariance(const std::vector<Neighbor>& neighbors, double alpha, double n
 GaussianProcess::GaussianProcess(const AtomMap& map, const GaussianProcessParameters& parameters)
     : map_(map), parameters_(parameters) {}
 
-std::optional<Estimate> GaussianProcess::estimate(const Eigen::Vector3f& point) {
+std::optional<Estimate> GaussianProcess::estimate(const Eigen::Vector3f& point, float known_reach) {
   const float radius = map_.radius();
   map_.atoms().kNearest(point, parameters_.neighbors, 4.0F * radius, neighbors_);
-  if (neighbors_.empty() || neighbors_.front().squared_distance >= 4.0F * radius * radius) return std::nullopt;
+  if (neighbors_.empty() || std::sqrt(neighbors_.front().squared_distance) >= known_reach * radius) return std::nullopt;
 
-  const bool distances = map_.mode() == Mode::kSignedDistance;
-  const double alpha = (distances ? parameters_.distance_alpha : parameters_.alpha) / (radius * radius);
-  const double noise = distances ? parameters_.distance_noise : parameters_.noise_variance;
-  const double unit = distances ? radius : 1.0;  // of the values, so that the kernel's variance of 1 fits them
-  const auto n = static_cast<Eigen::Index>(neighbors_.size());
-  Vector values(n);
-  Vector to_query(n);  // one column of the covariance between query and training points
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Neighbor& neighbor = neighbors_[static_cast<std::size_t>(i)];
-    values[i] = neighbor.values[0] / unit;
-    to_query[i] = std::exp(-alpha * neighbor.squared_distance);
-  }
-  const double mean = distances ? values.mean() : 0.0;
-  const Eigen::LLT<Matrix> sigma(covariance(neighbors_, alpha, noise));
-  const Vector weights = sigma.solve((values.array() - mean).matrix());
-  const double value = mean + to_query.dot(weights);                  // Eq. (8)
-  const double variance = 1.0 - to_query.dot(sigma.solve(to_query));  // Eq. (8)
+  const Kernel kernel = makeKernel(map_, parameters_);
+  const Training training = makeTraining(neighbors_, point, kernel);
+  const double mean = map_.mode() == Mode::kSignedDistance ? training.values.mean() : 0.0;
+  const Vector squared = training.offsets.colwise().squaredNorm();
+  const Vector to_query = (-kernel.alpha * squared).array().exp();  // Eq. (7)
+  Matrix sigma = covariance(training.offsets, squared, kernel.alpha);
+  sigma.diagonal() += training.noise;
+  const Eigen::LLT<Matrix> factor(sigma);
+  const Vector weights = factor.solve((training.values.array() - mean).matrix());
+  const double value = mean + to_query.dot(weights);                                    // Eq. (8)
+  const double variance = 1.0 - factor.matrixL().solve(to_query).eval().squaredNorm();  // Eq. (8)
+  const Eigen::Vector3d gradient = 2.0 * kernel.alpha * training.offsets * weights.cwiseProduct(to_query);
 
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Vector3f from = point - neighbors_[static_cast<std::size_t>(i)].center;
-    gradient -= 2.0 * alpha * weights[i] * to_query[i] * from.cast<double>();
-  }
+  const double unit = kernel.unit;
   return Estimate{static_cast<float>(unit * value), static_cast<float>(unit * unit * std::max(variance, 0.0)),
                   (unit * gradient).cast<float>()};
 }

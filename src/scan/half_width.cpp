@@ -1,6 +1,7 @@
 #include "atom_mapping/scan/half_width.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace atom_map {
@@ -40,6 +41,10 @@ float halfWidth(const FilteredScan& scan, const RangeImage& image, std::uint32_t
   const int right = pixelsToEdge(scan, image, ray, -1, max_pixels);
   const float width = static_cast<float>(left + 1 + right) * pixel_width;
   return width <= max_width ? 0.5F * width : std::numeric_limits<float>::infinity();
+}
+
+float depthBehind(const SurfacePoint& point, float radius) {
+  return std::isinf(point.half_width) ? radius : std::min(0.5F * radius, point.half_width);
 }
 
 }  // namespace atom_map

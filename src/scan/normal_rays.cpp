@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "atom_mapping/base/angles.h"
+#include "atom_mapping/scan/half_width.h"
 #include "atom_mapping/scan/interleave.h"
 
 namespace atom_map {
@@ -19,7 +20,8 @@ DistanceCandidates traceNormals(const std::vector<SurfacePoint>& surface, const 
   DistanceCandidates candidates;
   candidates.behind.reserve(surface.size());
   for (const SurfacePoint& point : surface) {  // step A
-    candidates.behind.push_back({point.position - radius * point.normal, -radius, point.normal});
+    const float depth = depthBehind(point, radius);
+    candidates.behind.push_back({point.position - depth * point.normal, -depth, point.normal});
     ++candidates.proposed;
   }
   for (float distance = radius; distance <= std::max(radius, reach); distance += 2.0F * radius) {  // step C

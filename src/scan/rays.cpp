@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "atom_mapping/base/angles.h"
+#include "atom_mapping/scan/half_width.h"
 #include "atom_mapping/scan/interleave.h"
 
 namespace atom_map {
@@ -21,17 +22,21 @@ class RayTracer {
         min_facing_(static_cast<float>(std::cos(parameters.rays.max_incidence * kDegree))),
         hit_(logOdds(parameters.occupancy.hit_probability)),
         miss_(logOdds(parameters.occupancy.miss_probability)),
+        thin_weight_(static_cast<float>(parameters.occupancy.thin_weight)),
+        hold_reach_(static_cast<float>(parameters.occupancy.hold_reach) * radius_),
+        thin_hold_reach_(static_cast<float>(parameters.occupancy.thin_hold_reach) * radius_),
         horizontal_resolution_(static_cast<float>(parameters.scan.horizontal_resolution * kDegree)),
         spacing_(static_cast<float>(parameters.scan.thinning * parameters.radius)),
         interleaver_(radius_, static_cast<float>(parameters.rays.lambda), static_cast<float>(parameters.scan.max_range),
                      random) {}
 
   // Step A: one occupied atom behind the surface and tangent to it.
-  // Choice: behind the front of a thin thing it lies half as deep and never deeper than the thing's middle. Deeper, it
-  // would lie in space that the rays beside the thing find free.
   // Choice: none is dropped by interleaving, which is for the crowd near the sensor: thin things would vanish.
+  // Choice: the returns of thin things weigh more and hold all that they overlap: most rays nearby pass them by.
   void traceBehind(const SurfacePoint& point, Candidates& candidates) const {
-    candidates.occupied.push_back({point.position - depth(point) * point.normal, hit_});
+    const bool thin = std::isfinite(point.half_width);
+    candidates.occupied.push_back({point.position - depthBehind(point, radius_) * point.normal,
+                                   thin ? thin_weight_ * hit_ : hit_, thin ? thin_hold_reach_ : hold_reach_});
     ++candidates.proposed;
   }
 
@@ -43,7 +48,8 @@ class RayTracer {
     const float facing = std::max(point.normal.dot(direction), min_facing_);
     // Choice: the resolution in Eq. (1) is that of the rays which the filter left over.
     const float resolution = std::max(horizontal_resolution_, spacing_ / range);
-    traceFree(point.position, direction, (2.0F * radius_ - depth(point)) / facing, range, resolution, candidates);
+    traceFree(point.position, direction, (2.0F * radius_ - depthBehind(point, radius_)) / facing, range, resolution,
+              candidates);
   }
 
   // All the way from max_range (m) to the sensor: nothing is known to end the ray.
@@ -52,10 +58,6 @@ class RayTracer {
   }
 
  private:
-  float depth(const SurfacePoint& point) const {
-    return std::isinf(point.half_width) ? radius_ : std::min(0.5F * radius_, point.half_width);
-  }
-
   void traceFree(const Eigen::Vector3f& start, const Eigen::Vector3f& direction, float first, float range,
                  float resolution, Candidates& candidates) {
     for (float along = first; along < range; along += 2.0F * radius_) {
@@ -70,6 +72,9 @@ class RayTracer {
   float min_facing_;
   float hit_;
   float miss_;
+  float thin_weight_;
+  float hold_reach_;       // m
+  float thin_hold_reach_;  // m
   float horizontal_resolution_;
   float spacing_;
   Interleaver interleaver_;

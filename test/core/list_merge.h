@@ -20,10 +20,11 @@ struct Scan {
 };
 
 inline Scan drawScan(Random& random, float half) {
+  const float hold = draw(random, 0.0F, 2.0F * kRadius);
   Scan scan;
   for (int i = 0; i < 150; ++i) {
     const Eigen::Vector3f center = drawWithin(random, half);
-    scan.occupied.push_back({{center.x(), center.y(), 0.1F * center.z()}, 0.8F});
+    scan.occupied.push_back({{center.x(), center.y(), 0.1F * center.z()}, 0.8F, hold});
   }
   for (int i = 0; i < 300; ++i) scan.free.push_back({drawWithin(random, half), -0.4F});
   return scan;
@@ -64,7 +65,7 @@ class ListMerge {
       const float distance = (atom.center - candidate.center).norm();
       if (distance >= 0.999F * 2.0F * kRadius) continue;
       overlaps = true;
-      if (occupied && distance < kRadius + static_cast<float>(parameters_.hold_margin)) atom.held = true;
+      if (occupied && distance < candidate.hold) atom.held = true;
       if (!occupied && atom.held) continue;
       const float overlap = 1.0F - distance / (4.0F * kRadius * kRadius * kRadius) *
                                        (3.0F * kRadius * kRadius - distance * distance / 4.0F);  // Eq. (4)

@@ -45,7 +45,6 @@ class Merge : public testing::TestWithParam<int> {
 };
 
 TEST_P(Merge, GivesTheAtomsThatTheRulesGiveToAList) {
-  parameters_.hold_margin = static_cast<double>(draw(random_, 0.0F, 0.5F));
   AtomMap map(Mode::kOccupancy, kRadius);
   ListMerge list(parameters_);
   for (int i = 0; i < 6; ++i) {

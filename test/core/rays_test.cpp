@@ -68,7 +68,7 @@ TEST_P(Rays, FreeAtomsLieOnTheRayADiameterApartBetweenSurfaceAndSensor) {
     EXPECT_NEAR(along - last, 2.0F * kRadius, kRounding);
     EXPECT_GT(along, 0.0F);
     EXPECT_LT(along, case_.range + kRounding) << "behind the sensor";
-    EXPECT_NEAR(atom.value, std::log(0.4 / 0.6), 1e-6);
+    EXPECT_NEAR(atom.value, std::log(0.3 / 0.7), 1e-6);
     last = along;
   }
   EXPECT_GT(last + 2.0F * kRadius, case_.range - kRounding) << "one more would have fitted";

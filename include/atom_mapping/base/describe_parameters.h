@@ -44,16 +44,23 @@ void forEachParameter(Parameters& p, Visit&& visit) {
 
   visit("occupancy/hit_probability", p.occupancy.hit_probability, Range{0.5, 0.999, true});
   visit("occupancy/miss_probability", p.occupancy.miss_probability, Range{0.001, 0.499});
-  visit("occupancy/hold_margin", p.occupancy.hold_margin, Range{0.0, 100.0});
+  visit("occupancy/thin_weight", p.occupancy.thin_weight, Range{0.0, 100.0, true});
+  visit("occupancy/hold_reach", p.occupancy.hold_reach, Range{0.0, 2.0});
+  visit("occupancy/thin_hold_reach", p.occupancy.thin_hold_reach, Range{0.0, 2.0});
   visit("occupancy/max_log_odds", p.occupancy.max_log_odds, Range{0.1, 100.0});
 
   visit("signed_distance/xi", p.signed_distance.xi, Range{0.0, kAny, true});
 
+  visit("gaussian_process/answers_occupancy", p.gaussian_process.answers_occupancy);
   visit("gaussian_process/neighbors", p.gaussian_process.neighbors, Range{1.0, 64.0});
   visit("gaussian_process/alpha", p.gaussian_process.alpha, Range{0.0, 100.0, true});
   visit("gaussian_process/noise_variance", p.gaussian_process.noise_variance, Range{1e-6, 1e6});
   visit("gaussian_process/distance_alpha", p.gaussian_process.distance_alpha, Range{0.0, 100.0, true});
   visit("gaussian_process/distance_noise", p.gaussian_process.distance_noise, Range{1e-6, 1e6});
+  visit("gaussian_process/atom_variance_share", p.gaussian_process.atom_variance_share, Range{0.0, 1e6});
+
+  visit("surface/occupancy_deviation", p.surface.occupancy_deviation, Range{0.0, kAny, true});
+  visit("surface/distance_deviation", p.surface.distance_deviation, Range{0.0, kAny, true});
 }
 
 }  // namespace atom_map

@@ -33,10 +33,13 @@ struct RayParameters {
 
 // occupancy/: the update of Eq. (3).
 struct OccupancyParameters {
+  // Equal weights and clamps on both sides: unequal ones shift the interpolated surface to the weaker side.
   double hit_probability = 0.7;   // occupancy that a return tells of
-  double miss_probability = 0.4;  // occupancy that a ray passing by tells of
-  double hold_margin = 0.25;      // m, how far beyond a radius from its atom a return keeps others from being lowered
-  double max_log_odds = 3.5;      // clamp, the same on both sides: an unequal one shifts the interpolated surface
+  double miss_probability = 0.3;  // occupancy that a ray passing by tells of
+  double thin_weight = 2.0;       // of the log-odds of a thing narrower than scan/thin_width
+  double hold_reach = 1.5;        // radii from its atom within which a return keeps others from being lowered
+  double thin_hold_reach = 1.75;  // the same of a return from a thing narrower than scan/thin_width
+  double max_log_odds = 2.0;      // clamp, on both sides
 };
 
 // signed_distance/: the fusion of Eq. (9) to (11).
@@ -46,11 +49,19 @@ struct SignedDistanceParameters {
 
 // gaussian_process/: regression over the nearest atoms (Eq. 6 to 8). Lengths in radii, so that one setting fits any.
 struct GaussianProcessParameters {
-  std::uint32_t neighbors = 20;   // N, nearest atoms that a query is trained on
-  double alpha = 0.1;             // of the log-odds' kernel exp(-alpha d^2), d in radii
-  double noise_variance = 0.1;    // sigma_n^2 of the log-odds, in units of the kernel's variance, which is 1
-  double distance_alpha = 0.02;   // the same of signed distances, which are smoother
-  double distance_noise = 0.003;  // sigma_n^2 of signed distances, in squared radii
+  bool answers_occupancy = true;      // occupancy queries ask it; false: they ask Eq. (5)
+  std::uint32_t neighbors = 20;       // N, nearest atoms that a query is trained on
+  double alpha = 0.1;                 // of the log-odds' kernel exp(-alpha d^2), d in radii
+  double noise_variance = 0.05;       // sigma_n^2 of the log-odds, in units of the kernel's variance, which is 1
+  double distance_alpha = 0.01;       // the same of signed distances, which are smoother
+  double distance_noise = 0.01;       // sigma_n^2 of signed distances, in squared radii
+  double atom_variance_share = 0.03;  // of an atom's own variance, added to sigma_n^2 of its signed distance
+};
+
+// surface/: extraction of the implicit surface.
+struct SurfaceParameters {
+  double occupancy_deviation = 0.35;  // radii, standard deviation of the surface's place beyond which it is left out
+  double distance_deviation = 0.08;   // the same in signed distance mode
 };
 
 struct MappingParameters {
@@ -63,6 +74,7 @@ struct MappingParameters {
   OccupancyParameters occupancy;
   SignedDistanceParameters signed_distance;
   GaussianProcessParameters gaussian_process;
+  SurfaceParameters surface;
 };
 
 }  // namespace atom_map

@@ -22,11 +22,11 @@ struct SurfacePoint {
   float half_width;        // m, of a thing that stands free of its background left and right; infinite for others
 };
 
-// An atom proposed by one scan. `value` is the log-odds of occupancy to add (paper, Eq. 3) in occupancy mode, and the
-// signed distance to the surface in metres, positive in free space, in signed distance mode (paper, Section IV).
+// An atom proposed by one scan in occupancy mode.
 struct Candidate {
   Eigen::Vector3f center;
-  float value;
+  float value;        // log-odds of occupancy to add (paper, Eq. 3)
+  float hold = 0.0F;  // m from the centre within which the scan's free candidates lower no atom
 };
 
 }  // namespace atom_map

@@ -20,8 +20,8 @@ struct MergeReport {
 // Merges the candidates of one scan. They may come in several calls, occupied ones before free ones, so that a server
 // can let readers in between.
 // Choice: an atom that a return of this scan raised is not lowered by the same scan's rays passing by, as in OctoMap;
-// but only within a radius and a margin of the return's own atom, or large atoms would keep too much space beside
-// poles.
+// but only near the return's own atom, or the free atoms in front of a surface would never grow sure and the surface
+// between them and the occupied ones would lie too far out.
 class OccupancyMerge {
  public:
   // The map must be in occupancy mode, and outlive this.
@@ -37,7 +37,6 @@ class OccupancyMerge {
 
   AtomMap& map_;
   float max_log_odds_;
-  float hold_distance_;
   CenterSet held_;
   MergeReport report_;
 };

@@ -23,10 +23,13 @@ class GaussianProcess {
   // The map must outlive this.
   GaussianProcess(const AtomMap& map, const GaussianProcessParameters& parameters);
 
-  // Nothing where no atom's centre lies within two radii: unknown.
+  static constexpr float kKnownReach = 2.0F;  // radii
+
+  // Nothing where no atom's centre lies within known_reach radii: unknown. It must not be greater than 4.
   // Choice: the training atoms are those of the N nearest within four radii. Signed distances are regressed about their
-  // mean, as the paper's zero mean would draw the distance far from a surface towards it.
-  std::optional<Estimate> estimate(const Eigen::Vector3f& point);
+  // mean, as the paper's zero mean would draw the distance far from a surface towards it; and an atom's own variance
+  // (Eq. 11) adds to the noise, so that what was seen once tells less than what was seen often.
+  std::optional<Estimate> estimate(const Eigen::Vector3f& point, float known_reach = kKnownReach);
 
  private:
   const AtomMap& map_;
