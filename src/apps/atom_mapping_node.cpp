@@ -11,6 +11,7 @@
 #include "atom_mapping/ros/read_parameters.h"
 #include "atom_mapping/ros/scan_input.h"
 #include "atom_mapping/ros/scan_server.h"
+#include "atom_mapping/ros/surface_service.h"
 #include "atom_mapping/ros/throttled_log.h"
 
 namespace atom_mapping {
@@ -31,15 +32,19 @@ class MappingNode {
   explicit MappingNode(const Parameters& parameters)
       : server_(parameters.mapping),
         queries_(server_, transforms_, parameters.node.services),
+        surface_(private_node_, server_, parameters.node.services,
+                 [](const std::string& line) { ROS_INFO_STREAM(line); }),
         diagnostics_(node_, server_),
         reports_(private_node_.advertise<ScanReport>("scan_report", kReportQueue, true)),
         publisher_(private_node_, server_, parameters.node.publish),
         input_(node_, server_, transforms_, parameters.node.input,
                [this](const auto& cloud, const ScanOutcome& outcome) { report(cloud, outcome); }) {
-    serve<QueryOccupancy>("query_occupancy");
-    serve<CheckCollision>("check_collision");
-    serve<CastRay>("cast_ray");
-    serve<ClearRegion>("clear_region");
+    serve<QueryOccupancy>("query_occupancy", queries_);
+    serve<QuerySignedDistance>("query_signed_distance", queries_);
+    serve<ExtractSurface>("extract_surface", surface_);
+    serve<CheckCollision>("check_collision", queries_);
+    serve<CastRay>("cast_ray", queries_);
+    serve<ClearRegion>("clear_region", queries_);
     services_.push_back(private_node_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
         "reset", [this](auto& /*request*/, auto& response) {
           response = queries_.reset();
@@ -48,11 +53,11 @@ class MappingNode {
   }
 
  private:
-  template <class Service>
-  void serve(const std::string& name) {
+  template <class Service, class Answerer>
+  void serve(const std::string& name, Answerer& answerer) {
     services_.push_back(private_node_.advertiseService<typename Service::Request, typename Service::Response>(
-        name, [this, name](auto& request, auto& response) {
-          response = queries_.answer(request);
+        name, [this, name, &answerer](auto& request, auto& response) {
+          response = answerer.answer(request);
           if (!response.success) log_.warn(name, "Refused a request of ~" + name + ": " + response.message);
           return true;
         }));
@@ -73,6 +78,7 @@ class MappingNode {
   ScanServer server_;
   tf2::BufferCore transforms_;
   MapQueries queries_;
+  SurfaceService surface_;
   NodeDiagnostics diagnostics_;
   ros::Publisher reports_;
   MapPublisher publisher_;

@@ -1,12 +1,9 @@
 #include "atom_mapping/ros/map_queries.h"
 
-#include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "atom_mapping/query/cast_ray.h"
 #include "atom_mapping/query/collision.h"
-#include "atom_mapping/query/occupancy.h"
 #include "atom_mapping/ros/check_request.h"
 #include "atom_mapping/ros/frame_name.h"
 #include "atom_mapping/ros/pose_conversion.h"
@@ -18,20 +15,12 @@ using atom_map::AtomMap;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr std::size_t kSlice = 256;  // points asked for at once, some 0.1 ms
-
 geometry_msgs::Point toPoint(const Vector3d& p) {
   geometry_msgs::Point point;
   point.x = p.x();
   point.y = p.y();
   point.z = p.z();
   return point;
-}
-
-// A signed distance tells on which side of the surface a point lies, and nothing between.
-float probabilityOf(const AtomMap& map, std::optional<float> value) {
-  if (map.mode() == atom_map::Mode::kOccupancy || !value) return atom_map::probability(value);
-  return atom_map::classify(value) == atom_map::Occupancy::kOccupied ? 1.0F : 0.0F;
 }
 
 // Answers a request by `fill`, or by what was wrong with it.
@@ -63,6 +52,10 @@ QueryOccupancy::Response MapQueries::answer(const QueryOccupancy::Request& reque
   return answered<QueryOccupancy::Response>([&](auto& response) { fill(request, response); });
 }
 
+QuerySignedDistance::Response MapQueries::answer(const QuerySignedDistance::Request& request) const {
+  return answered<QuerySignedDistance::Response>([&](auto& response) { fill(request, response); });
+}
+
 CheckCollision::Response MapQueries::answer(const CheckCollision::Request& request) const {
   return answered<CheckCollision::Response>([&](auto& response) { fill(request, response); });
 }
@@ -81,24 +74,6 @@ std_srvs::Trigger::Response MapQueries::reset() {
   response.success = 1;
   response.message = "the map is empty";
   return response;
-}
-
-void MapQueries::fill(const QueryOccupancy::Request& request, QueryOccupancy::Response& response) const {
-  const std::size_t size = request.points.size();
-  checkSize("points", size);
-  const atom_map::Pose to_map = toMap(request.frame_id);
-  std::vector<Vector3d> points;
-  for (std::size_t i = 0; i < size; ++i)
-    points.push_back(to_map * checkedPoint(element("points", i), request.points[i]));
-  for (std::size_t begin = 0; begin < size; begin += kSlice) {
-    server_.read([&](const AtomMap& map) {
-      for (std::size_t i = begin; i < std::min(begin + kSlice, size); ++i) {
-        const auto value = atom_map::interpolate(map, map.toLocal(points[i]));
-        response.state.push_back(static_cast<std::uint8_t>(atom_map::classify(value)));
-        response.probability.push_back(probabilityOf(map, value));
-      }
-    });
-  }
 }
 
 void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Response& response) const {

@@ -20,4 +20,11 @@ MapSnapshot takeSnapshot(const ScanServer& server) {
   return snapshot;
 }
 
+atom_map::AtomMap toAtomMap(const MapSnapshot& snapshot) {
+  atom_map::AtomMap map(snapshot.mode, static_cast<double>(snapshot.radius));
+  map.anchor(snapshot.origin);
+  for (const MapSnapshot::Atom& atom : snapshot.atoms) map.atoms().insert(atom.center, atom.values.data());
+  return map;
+}
+
 }  // namespace atom_mapping

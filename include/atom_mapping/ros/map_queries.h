@@ -7,6 +7,7 @@
 #include "atom_mapping/CheckCollision.h"
 #include "atom_mapping/ClearRegion.h"
 #include "atom_mapping/QueryOccupancy.h"
+#include "atom_mapping/QuerySignedDistance.h"
 #include "atom_mapping/ros/node_parameters.h"
 #include "atom_mapping/ros/scan_server.h"
 
@@ -24,6 +25,7 @@ class MapQueries {
       : server_(server), transforms_(transforms), parameters_(parameters) {}
 
   QueryOccupancy::Response answer(const QueryOccupancy::Request& request) const;
+  QuerySignedDistance::Response answer(const QuerySignedDistance::Request& request) const;
   CheckCollision::Response answer(const CheckCollision::Request& request) const;
   CastRay::Response answer(const CastRay::Request& request) const;
   ClearRegion::Response answer(const ClearRegion::Request& request);
@@ -31,9 +33,14 @@ class MapQueries {
 
  private:
   void fill(const QueryOccupancy::Request& request, QueryOccupancy::Response& response) const;
+  void fill(const QuerySignedDistance::Request& request, QuerySignedDistance::Response& response) const;
   void fill(const CheckCollision::Request& request, CheckCollision::Response& response) const;
   void fill(const CastRay::Request& request, CastRay::Response& response) const;
   void fill(const ClearRegion::Request& request, ClearRegion::Response& response) const;
+  template <class Ask>
+  void forEachPoint(const std::vector<Eigen::Vector3d>& points, Ask&& ask) const;
+  std::vector<Eigen::Vector3d> checkedPoints(const std::vector<geometry_msgs::Point>& points,
+                                             const atom_map::Pose& to_map) const;
   void checkSize(const char* array, std::size_t size) const;
   atom_map::Pose toMap(const std::string& frame) const;
 

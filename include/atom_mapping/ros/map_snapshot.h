@@ -31,4 +31,7 @@ struct MapSnapshot {
 // Holds scans up for as long as copying takes: 10 to 30 ms for a million atoms.
 MapSnapshot takeSnapshot(const ScanServer& server);
 
+// A map of the same atoms, for what asks maps.
+atom_map::AtomMap toAtomMap(const MapSnapshot& snapshot);
+
 }  // namespace atom_mapping

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "atom_mapping/surface/surface_mesh.h"
+
+namespace atom_map {
+
+// Writes a mesh as .ply (binary little endian), in the map frame and metres: vertices with x y z variance and a colour,
+// dark where they are sure, and triangles. The file appears, or takes the place of an old one, when it is whole. Throws
+// std::invalid_argument for any other extension, std::runtime_error with file and reason when it cannot be written.
+void writeMesh(const SurfaceMesh& mesh, const std::string& file);
+
+}  // namespace atom_map
