@@ -1,7 +1,10 @@
 #include "atom_mapping/planning/plan_path.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
+#include "atom_mapping/planning/shortcut.h"
 #include "atom_mapping/query/occupancy.h"
 
 namespace atom_map {
@@ -12,6 +15,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kSlice{1};  // of reading the map
 constexpr float kMargin = 0.5F;                 // atomic radii
 constexpr float kRounding = 1e-3F;              // atomic radii, of a safe way's parts
+
+// What is fixed while one path is planned.
+struct PathTask {
+  ReadMap read;
+  Eigen::Vector3d origin;  // map frame, of the frame that all positions are in
+  PathPreference preference;
+  SafetyRules rules;
+};
 
 // A path's end as the search takes it.
 Waypoint waypoint(Clearance& clearance, const Eigen::Vector3f& point, float reach) {
@@ -39,28 +50,33 @@ PathSearch beginSearch(const AtomMap& map, const PathTask& task) {
           task.preference, task.rules};
 }
 
-// Slice by slice; stays kSearching when time is up or the map lost its frame.
-PathSearch::State run(PathSearch& search, const PathTask& task, Clock::time_point deadline) {
-  auto state = PathSearch::State::kSearching;
+// Reads the map slice by slice until is_done(map, end of the slice); false when time is up or the map lost its frame.
+template <class Advance>
+bool advance(const PathTask& task, Clock::time_point deadline, const Advance& is_done) {
+  bool done = false;
   bool is_lost = false;
-  while (state == PathSearch::State::kSearching && !is_lost && Clock::now() < deadline) {
+  while (!done && !is_lost && Clock::now() < deadline) {
     task.read([&](const AtomMap& map) {
       is_lost = map.origin() != task.origin;
-      if (!is_lost) state = search.advance(map, std::min(deadline, Clock::now() + kSlice));
+      done = !is_lost && is_done(map, std::min(deadline, Clock::now() + kSlice));
     });
   }
-  return state;
+  return done;
 }
 
-bool stillHolds(const std::vector<Waypoint>& path, PathTask task, float radius) {
-  task.rules.robot_radius -= kRounding * radius;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const auto test = [](Clearance& clearance, const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
-      return clearance.isKnown(from, to) && clearance.isClear(from, to);
-    };
-    if (!passes(task, path[i - 1].position, path[i].position, test)) return false;
-  }
-  return true;
+bool stillHolds(const std::vector<Waypoint>& path, const PathTask& task) {
+  bool holds = false;
+  task.read([&](const AtomMap& map) {
+    SafetyRules rules = task.rules;
+    rules.robot_radius -= kRounding * map.radius();
+    const Clearance clearance(map, rules);
+    holds = map.origin() == task.origin;
+    for (std::size_t i = 1; holds && i < path.size(); ++i) {
+      const Eigen::Vector3f& from = path[i - 1].position;
+      holds = clearance.isKnown(from, path[i].position) && clearance.isClear(from, path[i].position);
+    }
+  });
+  return holds;
 }
 
 void fill(PlannedPath& answer, const std::vector<Waypoint>& path, const PathTask& task) {
@@ -72,28 +88,37 @@ void fill(PlannedPath& answer, const std::vector<Waypoint>& path, const PathTask
   }
 }
 
+std::vector<Waypoint> shortened(std::vector<Waypoint> path, const PathTask& task, Clock::time_point deadline) {
+  Shortcut shortcut(std::move(path), task.preference, task.rules);
+  advance(task, deadline, [&](const AtomMap& map, Clock::time_point end) { return shortcut.advance(map, end); });
+  return shortcut.path();
+}
+
 // Plans once, with the task's margin. True when the answer stands; false when the map changed, or time is up.
 bool plan(const PathRequest& request, PathTask& task, float margin, Clock::time_point deadline, PlannedPath& answer) {
   std::vector<PathSearch> search;  // one, unless an end will not do
-  float radius = 0.0F;
   task.read([&](const AtomMap& map) {
-    radius = map.radius();
     task.origin = map.origin();
-    task.rules.margin = margin * radius;
+    task.rules.margin = margin * map.radius();
     task.rules.start = map.toLocal(request.start);
     task.rules.goal = map.toLocal(request.goal);
     if (examineEnds(map, request, task, answer)) search.push_back(beginSearch(map, task));
   });
   if (search.empty()) return true;
 
-  const PathSearch::State state = run(search.front(), task, deadline);
+  auto state = PathSearch::State::kSearching;
+  const bool is_done = advance(task, deadline, [&](const AtomMap& map, Clock::time_point end) {
+    state = search.front().advance(map, end);
+    return state != PathSearch::State::kSearching;
+  });
   answer.expanded += search.front().expanded();
   answer.nearest = search.front().nearest().cast<double>() + task.origin;
-  answer.outcome = state == PathSearch::State::kExhausted ? PathOutcome::kNoConnection : PathOutcome::kTimeout;
-  if (state != PathSearch::State::kFound) return state == PathSearch::State::kExhausted;
+  answer.outcome = is_done ? PathOutcome::kNoConnection : PathOutcome::kTimeout;
+  if (state != PathSearch::State::kFound) return is_done;
   std::vector<Waypoint> path = search.front().path();
-  if (request.shortcut) path = shortcut(std::move(path), task, deadline);
-  if (!stillHolds(path, task, radius)) return false;
+  if (request.shortcut) path = shortened(std::move(path), task, deadline);
+  answer.outcome = PathOutcome::kTimeout;
+  if (!stillHolds(path, task)) return false;
   answer.outcome = PathOutcome::kFound;
   fill(answer, path, task);
   return true;

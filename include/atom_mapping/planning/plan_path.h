@@ -3,11 +3,15 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "atom_mapping/planning/shortcut.h"
+#include "atom_mapping/planning/path_search.h"
 
 namespace atom_map {
+
+// Calls its argument with the map, which stands still meanwhile, such as Mapper::read does.
+using ReadMap = std::function<void(const std::function<void(const AtomMap&)>&)>;
 
 // Start and goal in the map frame, finite; the preference's lengths and weight not negative.
 struct PathRequest {

@@ -1,32 +1,37 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <vector>
 
 #include "atom_mapping/planning/path_search.h"
 
 namespace atom_map {
 
-// Calls its argument with the map, which stands still meanwhile, such as Mapper::read does.
-using ReadMap = std::function<void(const std::function<void(const AtomMap&)>&)>;
+// Makes a path cheaper: it leaves the atoms where a straight way between two of its points is safe, known and costs less.
+// May be interrupted as PathSearch may; the path is safe at any time.
+class Shortcut {
+ public:
+  // The path's points must be two or more.
+  Shortcut(std::vector<Waypoint> path, const PathPreference& preference, const SafetyRules& rules);
 
-// What is fixed while one path is planned. Positions in the local frame that `origin` is of.
-struct PathTask {
-  ReadMap read;
-  Eigen::Vector3d origin;  // map frame
-  PathPreference preference;
-  SafetyRules rules;
+  // Goes on until nothing is left to gain or, a straight way late, until the deadline; false if the deadline came first.
+  bool advance(const AtomMap& map, std::chrono::steady_clock::time_point deadline);
+
+  // Its points lie two radii apart or nearer, once it has begun to advance.
+  const std::vector<Waypoint>& path() const { return path_; }
+
+ private:
+  bool replace(const AtomMap& map, std::size_t from, std::size_t to);
+  void goOn(bool is_replaced);
+
+  std::vector<Waypoint> path_;
+  PathPreference preference_;
+  SafetyRules rules_;
+  bool is_dense_ = false;
+  int passes_ = 0;  // completed
+  bool gains_ = false;
+  std::size_t from_ = 0;  // what is tried next: the way from this point
+  std::size_t gap_ = 0;   // to the one so much farther on
 };
-
-// Whether each part of a straight way, two radii long or less, passes the test, as the map is now: is_safe(clearance,
-// from, to). Not when the map lost its frame. Holds the map for one part at a time.
-using TestWay = std::function<bool(Clearance&, const Eigen::Vector3f&, const Eigen::Vector3f&)>;
-bool passes(const PathTask& task, const Eigen::Vector3f& from, const Eigen::Vector3f& to, const TestWay& test);
-
-// The path, or one of less cost that leaves the atoms where a straight way is safe and costs less; its points lie two
-// radii apart or nearer. Stops at the deadline with what it has.
-std::vector<Waypoint> shortcut(std::vector<Waypoint> path, const PathTask& task,
-                               std::chrono::steady_clock::time_point deadline);
 
 }  // namespace atom_map
