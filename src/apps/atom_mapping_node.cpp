@@ -8,6 +8,7 @@
 #include "atom_mapping/ros/map_publisher.h"
 #include "atom_mapping/ros/map_queries.h"
 #include "atom_mapping/ros/node_diagnostics.h"
+#include "atom_mapping/ros/path_service.h"
 #include "atom_mapping/ros/read_parameters.h"
 #include "atom_mapping/ros/scan_input.h"
 #include "atom_mapping/ros/scan_server.h"
@@ -34,6 +35,8 @@ class MappingNode {
         queries_(server_, transforms_, parameters.node.services),
         surface_(private_node_, server_, parameters.node.services,
                  [](const std::string& line) { ROS_INFO_STREAM(line); }),
+        paths_(server_, transforms_),
+        path_publisher_(private_node_.advertise<nav_msgs::Path>("path", 1, true)),
         diagnostics_(node_, server_),
         reports_(private_node_.advertise<ScanReport>("scan_report", kReportQueue, true)),
         publisher_(private_node_, server_, parameters.node.publish),
@@ -45,6 +48,7 @@ class MappingNode {
     serve<CheckCollision>("check_collision", queries_);
     serve<CastRay>("cast_ray", queries_);
     serve<ClearRegion>("clear_region", queries_);
+    servePaths();
     services_.push_back(private_node_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
         "reset", [this](auto& /*request*/, auto& response) {
           response = queries_.reset();
@@ -63,6 +67,25 @@ class MappingNode {
         }));
   }
 
+  void servePaths() {
+    services_.push_back(private_node_.advertiseService<PlanPath::Request, PlanPath::Response>(
+        "plan_path", [this](auto& request, auto& response) {
+          response = paths_.answer(request);
+          showPath(response);
+          return true;
+        }));
+    goals_ = node_.subscribe<geometry_msgs::PoseStamped>(
+        "goal", 1, [this](const auto& goal) { showPath(paths_.answerGoal(*goal)); });
+  }
+
+  void showPath(const PlanPath::Response& planned) {
+    if (planned.success) {
+      path_publisher_.publish(planned.path);
+    } else {
+      log_.warn("plan_path", "Planned no path: " + planned.message);
+    }
+  }
+
   void report(const sensor_msgs::PointCloud2& cloud, const ScanOutcome& outcome) {
     if (outcome.drop) {
       log_.warn(toString(*outcome.drop), "Dropped a cloud, " + outcome.message);
@@ -79,11 +102,14 @@ class MappingNode {
   tf2::BufferCore transforms_;
   MapQueries queries_;
   SurfaceService surface_;
+  PathService paths_;
+  ros::Publisher path_publisher_;
   NodeDiagnostics diagnostics_;
   ros::Publisher reports_;
   MapPublisher publisher_;
   ScanInput input_;
   std::vector<ros::ServiceServer> services_;
+  ros::Subscriber goals_;
   tf2_ros::TransformListener listener_{transforms_};  // stops first: it calls what waits for transforms
 };
 

@@ -1,12 +1,9 @@
 #include "atom_mapping/ros/map_queries.h"
 
-#include <stdexcept>
-
 #include "atom_mapping/query/cast_ray.h"
 #include "atom_mapping/query/collision.h"
+#include "atom_mapping/ros/answer_request.h"
 #include "atom_mapping/ros/check_request.h"
-#include "atom_mapping/ros/frame_name.h"
-#include "atom_mapping/ros/pose_conversion.h"
 
 namespace atom_mapping {
 namespace {
@@ -21,29 +18,6 @@ geometry_msgs::Point toPoint(const Vector3d& p) {
   point.y = p.y();
   point.z = p.z();
   return point;
-}
-
-// Answers a request by `fill`, or by what was wrong with it.
-template <class Response, class Fill>
-Response answered(Fill&& fill) {
-  Response response;
-  std::string fault;
-  try {
-    fill(response);
-    response.success = 1;
-    return response;
-  } catch (const Refusal& refusal) {
-    fault = refusal.what();
-  } catch (const BadTransform& exception) {
-    fault = std::string("tf's transform from frame_id to the map frame is bad: ") + exception.what();
-  } catch (const std::runtime_error& exception) {  // tf2::TransformException, and of stamps too far apart to subtract
-    fault = std::string("frame_id cannot be brought to the map frame: ") + exception.what() +
-            "; name a frame that tf knows, or leave it empty for the map frame";
-  }
-  Response refused;
-  refused.success = 0;
-  refused.message = fault;
-  return refused;
 }
 
 }  // namespace
@@ -134,11 +108,8 @@ void MapQueries::checkSize(const char* array, std::size_t size) const {
                 std::to_string(parameters_.max_points) + ": ask in several requests");
 }
 
-// From a request's frame, as tf knows it last.
 atom_map::Pose MapQueries::toMap(const std::string& frame) const {
-  const std::string name = withoutSlash(frame);
-  if (name.empty() || name == server_.mapFrame()) return atom_map::Pose::Identity();
-  return toPose(transforms_.lookupTransform(server_.mapFrame(), name, ros::Time()).transform);
+  return toMapFrame(frame, transforms_, server_.mapFrame());
 }
 
 }  // namespace atom_mapping

@@ -31,7 +31,7 @@ ScanOutcome ScanServer::insert(const sensor_msgs::PointCloud2& cloud, const tf2:
     const std::uint64_t era = checkOrder(stamp);
     const auto pose = toPose(transforms.lookupTransform(map_frame_, frame, stamp).transform);
     const atom_map::ScanReport report = mapper_.insertScan(scan, pose);
-    noteMapped(stamp, era, scan.points.empty());
+    noteMapped(stamp, era, pose, scan.points.empty());
     return {std::nullopt, "", toMessage(report, cloud.header)};
   } catch (const MalformedCloud& fault) {
     return drop(Drop::kMalformed, std::string("malformed cloud: ") + fault.what());
@@ -84,6 +84,11 @@ ros::Time ScanServer::newest() const {
   return newest_;
 }
 
+std::optional<atom_map::Pose> ScanServer::sensorPose() const {
+  const std::lock_guard lock(mutex_);
+  return sensor_pose_;
+}
+
 // The era that the stamp is of.
 std::uint64_t ScanServer::checkOrder(const ros::Time& stamp) const {
   const std::lock_guard lock(mutex_);
@@ -93,10 +98,11 @@ std::uint64_t ScanServer::checkOrder(const ros::Time& stamp) const {
   throw OutOfOrder(fault.str());
 }
 
-void ScanServer::noteMapped(const ros::Time& stamp, std::uint64_t era, bool is_empty) {
+void ScanServer::noteMapped(const ros::Time& stamp, std::uint64_t era, const atom_map::Pose& sensor, bool is_empty) {
   const std::lock_guard lock(mutex_);
   ++counts_.mapped;
   counts_.empty += is_empty ? 1 : 0;
+  sensor_pose_ = sensor;
   if (era == era_) newest_ = stamp;  // else time began anew while the cloud was being merged
   ++revision_;
 }

@@ -61,6 +61,12 @@ void forEachParameter(Parameters& p, Visit&& visit) {
 
   visit("surface/occupancy_deviation", p.surface.occupancy_deviation, Range{0.0, kAny, true});
   visit("surface/distance_deviation", p.surface.distance_deviation, Range{0.0, kAny, true});
+
+  visit("planning/robot_radius", p.planning.robot_radius, Range{0.0, 100.0});
+  visit("planning/surface_distance", p.planning.surface_distance, Range{0.0, 100.0});
+  visit("planning/surface_weight", p.planning.surface_weight, Range{0.0, 1e6});
+  visit("planning/timeout", p.planning.timeout, Range{0.0, 3600.0, true});
+  visit("planning/shortcut", p.planning.shortcut);
 }
 
 }  // namespace atom_map

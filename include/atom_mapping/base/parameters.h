@@ -64,6 +64,15 @@ struct SurfaceParameters {
   double distance_deviation = 0.075;  // the same in signed distance mode
 };
 
+// planning/: paths through free space (paper IV-A). The first three are those of goals that come without their own.
+struct PlanningParameters {
+  double robot_radius = 0.3;      // m, of a sphere that holds the robot
+  double surface_distance = 1.0;  // q, m: distance to surfaces that a path prefers to keep
+  double surface_weight = 0.0;    // mu, 1/m: cost of a metre's deviation from it, for each metre of path
+  double timeout = 5.0;           // s of wall time that planning may take
+  bool shortcut = true;           // whether paths leave the atoms where a straight way is safe and costs less
+};
+
 struct MappingParameters {
   std::string map_frame = "map";
   Mode mode = Mode::kOccupancy;
@@ -75,6 +84,7 @@ struct MappingParameters {
   SignedDistanceParameters signed_distance;
   GaussianProcessParameters gaussian_process;
   SurfaceParameters surface;
+  PlanningParameters planning;
 };
 
 }  // namespace atom_map

@@ -51,6 +51,9 @@ class ScanServer {
   // Stamp of the newest cloud in the map; zero before the first.
   ros::Time newest() const;
 
+  // Where the sensor was at the newest cloud, sensor to map frame; nothing before the first.
+  std::optional<atom_map::Pose> sensorPose() const;
+
   // As Mapper::read, save that readers come one at a time: such as overlap could hold the merge up for ever, since a
   // std::shared_mutex lets them in first.
   template <class F>
@@ -65,7 +68,7 @@ class ScanServer {
 
  private:
   std::uint64_t checkOrder(const ros::Time& stamp) const;
-  void noteMapped(const ros::Time& stamp, std::uint64_t era, bool is_empty);
+  void noteMapped(const ros::Time& stamp, std::uint64_t era, const atom_map::Pose& sensor, bool is_empty);
   void noteChange();
 
   atom_map::Mapper mapper_;
@@ -76,6 +79,7 @@ class ScanServer {
   std::uint64_t revision_ = 0;
   std::uint64_t era_ = 0;  // how often time began anew
   ros::Time newest_;
+  std::optional<atom_map::Pose> sensor_pose_;
 };
 
 }  // namespace atom_mapping

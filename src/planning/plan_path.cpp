@@ -1,0 +1,156 @@
+#include "atom_mapping/planning/plan_path.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "atom_mapping/planning/shortcut.h"
+#include "atom_mapping/query/occupancy.h"
+
+namespace atom_map {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kSlice{1};  // of reading the map
+constexpr float kMargin = 0.5F;                 // atomic radii
+constexpr float kRounding = 1e-3F;              // atomic radii, of a safe way's parts
+
+// What is fixed while one path is planned.
+struct PathTask {
+  ReadMap read;
+  Eigen::Vector3d origin;  // map frame, of the frame that all positions are in
+  PathPreference preference;
+  SafetyRules rules;
+};
+
+// A path's end as the search takes it.
+Waypoint waypoint(Clearance& clearance, const Eigen::Vector3f& point, float reach) {
+  return {point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F};
+}
+
+// Whether both ends will do; says in the answer why not.
+bool examineEnds(const AtomMap& map, const PathRequest& request, const PathTask& task, PlannedPath& answer) {
+  for (const bool is_start : {true, false}) {
+    const Eigen::Vector3d& point = is_start ? request.start : request.goal;
+    answer.outcome = examine(map, point, task.rules.robot_radius, task.rules.regression);
+    if (answer.outcome == PathOutcome::kFound) continue;
+    answer.is_start = is_start;
+    const float reach = task.rules.robot_radius + map.radius();
+    answer.room = static_cast<double>(Clearance(map, task.rules).surfaceDistance(map.toLocal(point), reach));
+    return false;
+  }
+  return true;
+}
+
+PathSearch beginSearch(const AtomMap& map, const PathTask& task) {
+  Clearance clearance(map, task.rules);
+  const float reach = surfaceReach(task.preference, map.radius());
+  return {waypoint(clearance, task.rules.start, reach), waypoint(clearance, task.rules.goal, reach), map.radius(),
+          task.preference, task.rules};
+}
+
+// Reads the map slice by slice until is_done(map, end of the slice); false when time is up or the map lost its frame.
+template <class Advance>
+bool advance(const PathTask& task, Clock::time_point deadline, const Advance& is_done) {
+  bool done = false;
+  bool is_lost = false;
+  while (!done && !is_lost && Clock::now() < deadline) {
+    task.read([&](const AtomMap& map) {
+      is_lost = map.origin() != task.origin;
+      done = !is_lost && is_done(map, std::min(deadline, Clock::now() + kSlice));
+    });
+  }
+  return done;
+}
+
+bool stillHolds(const std::vector<Waypoint>& path, const PathTask& task) {
+  bool holds = false;
+  task.read([&](const AtomMap& map) {
+    SafetyRules rules = task.rules;
+    rules.robot_radius -= kRounding * map.radius();
+    const Clearance clearance(map, rules);
+    holds = map.origin() == task.origin;
+    for (std::size_t i = 1; holds && i < path.size(); ++i) {
+      const Eigen::Vector3f& from = path[i - 1].position;
+      holds = clearance.isKnown(from, path[i].position) && clearance.isClear(from, path[i].position);
+    }
+  });
+  return holds;
+}
+
+void fill(PlannedPath& answer, const std::vector<Waypoint>& path, const PathTask& task) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    answer.points.emplace_back(path[i].position.cast<double>() + task.origin);
+    if (i == 0) continue;
+    answer.length += (path[i].position - path[i - 1].position).cast<double>().norm();
+    answer.cost += wayCost(path[i - 1], path[i], task.preference);
+  }
+}
+
+std::vector<Waypoint> shortened(std::vector<Waypoint> path, const PathTask& task, Clock::time_point deadline) {
+  Shortcut shortcut(std::move(path), task.preference, task.rules);
+  advance(task, deadline, [&](const AtomMap& map, Clock::time_point end) { return shortcut.advance(map, end); });
+  return shortcut.path();
+}
+
+// Plans once, with the task's margin. True when the answer stands; false when the map changed, or time is up.
+bool plan(const PathRequest& request, PathTask& task, float margin, Clock::time_point deadline, PlannedPath& answer) {
+  std::vector<PathSearch> search;  // one, unless an end will not do
+  task.read([&](const AtomMap& map) {
+    task.origin = map.origin();
+    task.rules.margin = margin * map.radius();
+    task.rules.start = map.toLocal(request.start);
+    task.rules.goal = map.toLocal(request.goal);
+    if (examineEnds(map, request, task, answer)) search.push_back(beginSearch(map, task));
+  });
+  if (search.empty()) return true;
+
+  auto state = PathSearch::State::kSearching;
+  const bool is_done = advance(task, deadline, [&](const AtomMap& map, Clock::time_point end) {
+    state = search.front().advance(map, end);
+    return state != PathSearch::State::kSearching;
+  });
+  answer.expanded += search.front().expanded();
+  answer.nearest = search.front().nearest().cast<double>() + task.origin;
+  answer.outcome = is_done ? PathOutcome::kNoConnection : PathOutcome::kTimeout;
+  if (state != PathSearch::State::kFound) return is_done;
+  std::vector<Waypoint> path = search.front().path();
+  if (request.shortcut) path = shortened(std::move(path), task, deadline);
+  answer.outcome = PathOutcome::kTimeout;
+  if (!stillHolds(path, task)) return false;
+  answer.outcome = PathOutcome::kFound;
+  fill(answer, path, task);
+  return true;
+}
+
+}  // namespace
+
+PathOutcome examine(const AtomMap& map, const Eigen::Vector3d& point, float robot_radius,
+                    const GaussianProcessParameters& regression) {
+  const Eigen::Vector3f local = map.toLocal(point);
+  const Occupancy occupancy = classify(interpolate(map, local));
+  if (occupancy == Occupancy::kUnknown) return PathOutcome::kUnknown;
+  if (occupancy == Occupancy::kOccupied) return PathOutcome::kOccupied;
+  const bool is_safe = Clearance(map, {regression, robot_radius, 0.0F, local, local}).isSafe(local);
+  return is_safe ? PathOutcome::kFound : PathOutcome::kTooTight;
+}
+
+PlannedPath planPath(const ReadMap& read, const PathRequest& request, const GaussianProcessParameters& regression) {
+  const Clock::time_point begin = Clock::now();
+  const Clock::time_point deadline =
+      begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(request.timeout));
+  PathTask task{read, Eigen::Vector3d::Zero(), request.preference, {regression, request.preference.robot_radius}};
+  PlannedPath answer;
+  answer.nearest = request.start;
+  float margin = kMargin;
+  do {
+    const bool stands = plan(request, task, margin, deadline, answer);
+    if (stands && (answer.outcome != PathOutcome::kNoConnection || margin <= 0.0F)) break;
+    if (stands) margin = 0.0F;
+  } while (Clock::now() < deadline);
+  answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return answer;
+}
+
+}  // namespace atom_map

@@ -1,0 +1,104 @@
+#include "atom_mapping/planning/shortcut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace atom_map {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kPasses = 4;
+constexpr double kGain = 1e-4;  // of a cost; less is not worth the points
+
+// The straight way from a to b as points two radii apart or nearer, without a itself.
+std::vector<Waypoint> straight(const Waypoint& a, const Waypoint& b, const AtomMap& map, Clearance& clearance,
+                               const PathPreference& preference) {
+  const float reach = surfaceReach(preference, map.radius());
+  const Vector3f way = b.position - a.position;
+  const float parts = std::max(1.0F, std::ceil(way.norm() / (2.0F * map.radius())));
+  std::vector<Waypoint> points;
+  for (float i = 1.0F; i < parts; i += 1.0F) {
+    const Vector3f point = a.position + i / parts * way;
+    points.push_back({point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F});
+  }
+  points.push_back(b);
+  return points;
+}
+
+bool isSafeWay(const Waypoint& start, const std::vector<Waypoint>& points, Clearance& clearance) {
+  const Waypoint* last = &start;
+  for (const Waypoint& point : points) {
+    if (!clearance.isKnown(last->position, point.position)) return false;
+    if (!clearance.isSafe(last->position, point.position)) return false;
+    last = &point;
+  }
+  return true;
+}
+
+template <class Iterator>
+double costOf(const Waypoint& start, Iterator begin, Iterator end, const PathPreference& preference) {
+  double cost = 0.0;
+  const Waypoint* last = &start;
+  for (; begin != end; last = &*begin++) cost += wayCost(*last, *begin, preference);
+  return cost;
+}
+
+std::vector<Waypoint> densified(const std::vector<Waypoint>& path, const AtomMap& map, Clearance& clearance,
+                                const PathPreference& preference) {
+  std::vector<Waypoint> dense{path.front()};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const std::vector<Waypoint> way = straight(path[i - 1], path[i], map, clearance, preference);
+    dense.insert(dense.end(), way.begin(), way.end());
+  }
+  return dense;
+}
+
+}  // namespace
+
+Shortcut::Shortcut(std::vector<Waypoint> path, const PathPreference& preference, const SafetyRules& rules)
+    : path_(std::move(path)), preference_(preference), rules_(rules) {}
+
+// From each point on: to the last one, then half as far, and so on.
+bool Shortcut::advance(const AtomMap& map, std::chrono::steady_clock::time_point deadline) {
+  if (!is_dense_) {
+    Clearance clearance(map, rules_);
+    path_ = densified(path_, map, clearance, preference_);
+    is_dense_ = true;
+    gap_ = path_.size() - 1;
+  }
+  while (passes_ < kPasses) {
+    goOn(gap_ >= 2 && replace(map, from_, from_ + gap_));
+    if (std::chrono::steady_clock::now() >= deadline) return passes_ >= kPasses;
+  }
+  return true;
+}
+
+void Shortcut::goOn(bool is_replaced) {
+  gains_ = gains_ || is_replaced;
+  gap_ /= 2;
+  if (!is_replaced && gap_ >= 2) return;
+  ++from_;
+  if (from_ + 2 >= path_.size()) {
+    passes_ = gains_ ? passes_ + 1 : kPasses;
+    gains_ = false;
+    from_ = 0;
+  }
+  gap_ = path_.size() - 1 - from_;
+}
+
+// Puts the straight way between two points in the place of what lies between them, if that is better.
+bool Shortcut::replace(const AtomMap& map, std::size_t from, std::size_t to) {
+  Clearance clearance(map, rules_);
+  const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto end = path_.begin() + static_cast<std::ptrdiff_t>(to);
+  const std::vector<Waypoint> way = straight(*begin, *end, map, clearance, preference_);
+  const double old_cost = costOf(*begin, begin + 1, end + 1, preference_);
+  if (costOf(*begin, way.begin(), way.end(), preference_) > (1.0 - kGain) * old_cost) return false;
+  if (!isSafeWay(*begin, way, clearance)) return false;
+  path_.insert(path_.erase(begin + 1, end + 1), way.begin(), way.end());
+  return true;
+}
+
+}  // namespace atom_map
