@@ -1,6 +1,7 @@
 #include "atom_mapping/map/mapper.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 
 #include "atom_mapping/base/check_parameters.h"
@@ -122,6 +123,13 @@ void Mapper::merge(const std::vector<AnyCandidate>& candidates, Merging& merging
     }
     return merging.report();
   });
+}
+
+void Mapper::replace(AtomMap map, std::uint64_t scans) {
+  assert(map.mode() == map_.mode() && map.radius() == map_.radius());
+  const std::lock_guard scan_lock(scan_mutex_);
+  write([&](AtomMap& mine) { std::swap(mine, map); });  // the old one is freed when readers may read again
+  scans_ = scans;
 }
 
 void Mapper::reset() {
