@@ -3,10 +3,12 @@
 #include <tf2/buffer_core.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <csignal>
 #include <stdexcept>
 
 #include "atom_mapping/ros/map_publisher.h"
 #include "atom_mapping/ros/map_queries.h"
+#include "atom_mapping/ros/map_storage.h"
 #include "atom_mapping/ros/node_diagnostics.h"
 #include "atom_mapping/ros/read_parameters.h"
 #include "atom_mapping/ros/scan_input.h"
@@ -30,6 +32,7 @@ class MappingNode {
  public:
   explicit MappingNode(const Parameters& parameters)
       : server_(parameters.mapping),
+        storage_(server_, parameters.node.storage),
         queries_(server_, transforms_, parameters.node.services),
         diagnostics_(node_, server_),
         reports_(private_node_.advertise<ScanReport>("scan_report", kReportQueue, true)),
@@ -40,6 +43,8 @@ class MappingNode {
     serve<CheckCollision>("check_collision");
     serve<CastRay>("cast_ray");
     serve<ClearRegion>("clear_region");
+    serve<MapFile>("save_map", [this](const auto& request) { return storage_.save(request); });
+    serve<MapFile>("load_map", [this](const auto& request) { return storage_.load(request); });
     services_.push_back(private_node_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
         "reset", [this](auto& /*request*/, auto& response) {
           response = queries_.reset();
@@ -50,9 +55,14 @@ class MappingNode {
  private:
   template <class Service>
   void serve(const std::string& name) {
+    serve<Service>(name, [this](const auto& request) { return queries_.answer(request); });
+  }
+
+  template <class Service, class Answer>
+  void serve(const std::string& name, Answer answer) {
     services_.push_back(private_node_.advertiseService<typename Service::Request, typename Service::Response>(
-        name, [this, name](auto& request, auto& response) {
-          response = queries_.answer(request);
+        name, [this, name, answer](auto& request, auto& response) {
+          response = answer(request);
           if (!response.success) log_.warn(name, "Refused a request of ~" + name + ": " + response.message);
           return true;
         }));
@@ -71,6 +81,7 @@ class MappingNode {
   ros::NodeHandle private_node_{"~"};
   ThrottledLog log_;
   ScanServer server_;
+  MapStorage storage_;  // saves once what may change the map has stopped
   tf2::BufferCore transforms_;
   MapQueries queries_;
   NodeDiagnostics diagnostics_;
@@ -86,6 +97,7 @@ int run() {
   const MappingNode node(parameters);
   ros::AsyncSpinner spinner(kServiceThreads);
   spinner.start();
+  std::signal(SIGTERM, [](int /*signal*/) { ros::requestShutdown(); });  // as SIGINT, which ROS handles: no map is lost
   ros::waitForShutdown();
   return 0;
 }

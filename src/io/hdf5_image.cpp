@@ -40,12 +40,14 @@ H5::H5File openImage(std::string bytes) {
   return H5::H5File(kAnyName, H5F_ACC_RDWR, H5::FileCreatPropList::DEFAULT, access);
 }
 
-QuietHdf5::QuietHdf5() {
+Hdf5Access::Hdf5Access() {
+  static std::mutex access;  // of what is one in a process anyway
+  lock_ = std::unique_lock(access);
   H5Eget_auto2(H5E_DEFAULT, &print_, &client_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-QuietHdf5::~QuietHdf5() {
+Hdf5Access::~Hdf5Access() {
   H5Eset_auto2(H5E_DEFAULT, print_, client_data_);
 }
 

@@ -111,9 +111,10 @@ LoadedMap fromHdf5(std::string content) {
 }  // namespace
 
 LoadedMap loadMap(const std::string& file) {
-  const QuietHdf5 quiet;
   try {
-    return fromHdf5(readSealed(file));
+    std::string content = readSealed(file);
+    const Hdf5Access access;
+    return fromHdf5(std::move(content));
   } catch (const H5::Exception& error) {
     throw std::runtime_error("cannot load " + file + ": HDF5: " + error.getDetailMsg());
   } catch (const std::exception& error) {

@@ -83,6 +83,7 @@ void writeColumn(const H5::DataSet& set, hsize_t column, const std::vector<float
 }
 
 std::string toHdf5(const MapCopy& map) {
+  const Hdf5Access access;
   const H5::H5File image = makeImage();
   writeHead(map, image);
   const H5::DataSet centers = makeDataSet(image, kCenters, map.size(), 3);
@@ -98,7 +99,6 @@ std::string toHdf5(const MapCopy& map) {
 
 void saveMap(const MapCopy& map, const std::string& file) {
   checkWritable(file);
-  const QuietHdf5 quiet;
   try {
     const std::string content = toHdf5(map);
     writeFile(file, [&](std::ostream& out) { out << makeSeal(content) << content; });

@@ -12,8 +12,10 @@ void copyAtoms(const AtomTree& atoms, std::size_t column_count, MapCopy& copy) {
   for (std::size_t c = 0; c < column_count; ++c) copy.columns[c].resize(std::max(copy.size(), atoms.size()));
   std::array<float*, 5> at{};
   for (std::size_t c = 0; c < column_count; ++c) at[c] = copy.columns[c].data();
-  atoms.forEach([&](const ConstAtomRef& atom) {
-    for (std::size_t c = 0; c < column_count; ++c) *at[c]++ = atom.block->channel(static_cast<int>(c))[atom.index];
+  atoms.forEachBlock([&](const AtomBlock& block) {
+    for (std::size_t c = 0; c < column_count; ++c) {
+      at[c] = std::copy_n(block.channel(static_cast<int>(c)), block.size(), at[c]);
+    }
   });
   for (std::size_t c = 0; c < column_count; ++c) copy.columns[c].resize(atoms.size());
 }

@@ -217,6 +217,7 @@ class MapFileFaults : public MapFile {
 
   // The file with a change in it, under a new seal that holds.
   std::string changed(const Fault& fault) const {
+    const Hdf5Access access;
     const H5::H5File image = openImage(readSealed(path("map.h5")));
     fault.make(image);
     const std::string content = bytesOf(image);
@@ -224,7 +225,6 @@ class MapFileFaults : public MapFile {
   }
 
   void expectEachRefused(const std::vector<Fault>& faults) const {
-    const QuietHdf5 quiet;
     for (const Fault& fault : faults) {
       SCOPED_TRACE(fault.name);
       expectRefused(changed(fault), fault.reason);

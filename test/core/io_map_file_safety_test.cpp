@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 #include "check_map.h"
 #include "map_file_folder.h"
@@ -50,6 +51,22 @@ TEST_F(MapFile, KillingWhoeverSavesLeavesAWholeMap) {
   RecordProperty("kills_in_writing", kills_in_writing);
   saveMap(first, path("map.h5"));
   EXPECT_FALSE(std::filesystem::exists(path("map.h5.part"))) << "a part that was left is written over";
+}
+
+TEST_F(MapFile, ThreadsSaveAndLoadAtOnce) {
+  const MappingParameters parameters = parametersOf(Mode::kOccupancy);
+  const MapCopy copy = copyOf(parameters, drawMap(parameters, 3000, 1));
+  saveMap(copy, path("map.h5"));
+  const auto work = [&](const std::string& own) {
+    for (int i = 0; i < 10; ++i) {
+      saveMap(copy, path(own));
+      EXPECT_EQ(loadMap(path("map.h5")).map.atoms().size(), copy.size());
+    }
+  };
+  std::thread other([&] { work("other.h5"); });
+  work("own.h5");
+  other.join();
+  EXPECT_EQ(contents(path("own.h5")), contents(path("other.h5")));
 }
 
 // A limit on the size of files stands for a full disk.

@@ -3,6 +3,7 @@
 
 #include <H5Cpp.h>
 
+#include <mutex>
 #include <string>
 
 namespace atom_map {
@@ -15,15 +16,17 @@ std::string bytesOf(const H5::H5File& image);
 // To be read and changed; `bytes` may go.
 H5::H5File openImage(std::string bytes);
 
-// While it lives, this thread's HDF5 does not print to stderr what it throws.
-class QuietHdf5 {
+// Whoever uses HDF5 holds one, and no image beyond it: meanwhile no other thread does, since H5Cpp bears one at a time and
+// takes images for one another; and HDF5 does not print to stderr what it throws.
+class Hdf5Access {
  public:
-  QuietHdf5();
-  ~QuietHdf5();
-  QuietHdf5(const QuietHdf5&) = delete;
-  QuietHdf5& operator=(const QuietHdf5&) = delete;
+  Hdf5Access();
+  ~Hdf5Access();
+  Hdf5Access(const Hdf5Access&) = delete;
+  Hdf5Access& operator=(const Hdf5Access&) = delete;
 
  private:
+  std::unique_lock<std::mutex> lock_;
   H5E_auto2_t print_ = nullptr;
   void* client_data_ = nullptr;
 };
