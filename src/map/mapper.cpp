@@ -8,6 +8,7 @@
 #include "atom_mapping/map/drop_crossing.h"
 #include "atom_mapping/scan/candidate_filter.h"
 #include "atom_mapping/scan/rays.h"
+#include "atom_mapping/scan/snap.h"
 
 namespace atom_map {
 namespace {
@@ -79,6 +80,8 @@ void Mapper::mergeOccupancy(const std::vector<SurfacePoint>& surface, const std:
     return traceRays(surface, parameters_.scan.clear_no_returns ? no_returns : none, sensor, parameters_, random);
   });
   candidates = gridFiltered(std::move(candidates), report);
+  snapToLattice(candidates.occupied, map_.radius());
+  snapToLattice(candidates.free, map_.radius());
   OccupancyMerge merging(map_, parameters_.occupancy);
   merge(candidates.occupied, merging, report);
   merge(candidates.free, merging, report);
@@ -94,6 +97,8 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
     dropCrossing(surface, map_.radius(), static_cast<float>(parameters_.scan.range_noise), candidates);
     return 0;
   });
+  snapToLattice(candidates.behind, map_.radius());
+  snapToLattice(candidates.infront, map_.radius());
   DistanceMerge merging(map_, parameters_.signed_distance);
   merge(candidates.behind, merging, report);
   merge(candidates.infront, merging, report);

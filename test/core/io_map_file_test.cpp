@@ -106,5 +106,18 @@ TEST_F(MapFile, MappingGoesOnAsIfItHadNeverStopped) {
   }
 }
 
+// Less where more is known: scans that agree bring log-odds to the clamps.
+TEST_F(MapFile, AnAtomOfOccupancyTakesAtMostTwelveBytes) {
+  const Drive drive = makeDrive("hall", 3, 10);
+  Mapper mapper(parametersOf(Mode::kOccupancy, 0.1));
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) mapper.insertScan(drive.scans[i], drive.poses[i]);
+  const MapCopy copy = copyMap(mapper);
+  saveMap(copy, path("map.h5"));
+  const auto bytes = static_cast<double>(std::filesystem::file_size(path("map.h5")));
+  EXPECT_GT(copy.size(), 20000U);
+  EXPECT_LE(bytes / static_cast<double>(copy.size()), 12.0);
+  RecordProperty("bytes_per_atom", std::to_string(bytes / static_cast<double>(copy.size())));
+}
+
 }  // namespace
 }  // namespace atom_map
