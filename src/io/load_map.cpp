@@ -77,8 +77,8 @@ bool isPossible(const std::array<float, 2>& values, const MappingParameters& par
 
 void addAtom(hsize_t row, const Eigen::Vector3f& center, const std::array<float, 2>& values,
              const MappingParameters& parameters, AtomMap& map) {
-  constexpr float kRounding = 1e-5F;
-  const float reach = (1.0F - kRounding) * AtomMap::kOverlapTolerance * 2.0F * map.radius();
+  const float rounding = 1e-6F * center.cwiseAbs().maxCoeff();  // of atoms that were moved
+  const float reach = (1.0F - 1e-5F) * AtomMap::kOverlapTolerance * 2.0F * map.radius() - rounding;
   const float farthest = 0x1p30F * map.radius();  // beyond, the index does not tell places apart
   if (!center.allFinite() || center.cwiseAbs().maxCoeff() > farthest) {
     fail("centers[", row, "] is (", center.transpose(), "); it must be of numbers within ", farthest, " m");

@@ -65,6 +65,14 @@ class MapFileTest(unittest.TestCase):
         self.assertEqual((info.returncode, info.stdout), (1, ''))
         self.assertIn('cannot load damaged.h5: it is damaged', info.stderr)
 
+    def testAMapIsMergedWithItselfHereAndElsewhere(self):
+        merged = run('merge_maps', 'map.h5', 'map.h5', '--out', 'merged.h5')
+        self.assertEqual((merged.returncode, merged.stderr), (0, ''))
+        self.assertIn(f'merged.h5: {len(self.atoms)} atoms, 0 of them from map.h5', merged.stdout)
+        far = run('merge_maps', 'map.h5', 'map.h5', '--transform', '1000', '0', '0', '0', '0', '90', '--out', 'far.h5')
+        self.assertIn(f'far.h5: {2 * len(self.atoms)} atoms', far.stdout)
+        self.assertIn(f'atoms {2 * len(self.atoms)}', re.sub(' +', ' ', run('map_info', 'far.h5').stdout))
+
 
 if __name__ == '__main__':
     rosunit.unitrun('atom_mapping', 'map_file', MapFileTest)
