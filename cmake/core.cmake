@@ -41,4 +41,4 @@ target_link_libraries(atom_map_sim PUBLIC atom_map)
 
 # baseline: OctoMap, for comparison
 add_library(atom_map_baseline ${baseline_sources})
-target_link_libraries(atom_map_baseline PUBLIC atom_map ${OCTOMAP_LIBRARIES})
+target_link_libraries(atom_map_baseline PUBLIC atom_map atom_map_io ${OCTOMAP_LIBRARIES})

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <string>
 
+#include "atom_mapping/baseline/export_octree.h"
 #include "atom_mapping/io/export_atoms.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/ros/simulated_messages.h"
@@ -135,11 +136,14 @@ TEST_F(Offline, MapsABagAndTellsWhatCameOfIt) {
 
 TEST_F(Offline, SavesAMapThatHoldsWhatItExports) {
   const std::string bag = writeBag("five.bag", {});
-  ASSERT_EQ(run("--bag " + bag + " --save " + path("map.h5") + " --export " + path("a.ply")).exit_code, 0);
+  const std::string exports = " --export " + path("a.ply") + " --export " + path("a.bt");
+  ASSERT_EQ(run("--bag " + bag + " --save " + path("map.h5") + exports).exit_code, 0);
   const atom_map::LoadedMap loaded = atom_map::loadMap(path("map.h5"));
   EXPECT_EQ(loaded.scans, 5U);
   atom_map::exportAtoms(loaded.map, path("b.ply"));
   EXPECT_EQ(contents(path("a.ply")), contents(path("b.ply")));
+  atom_map::exportOctree(loaded.map, path("b.bt"));
+  EXPECT_EQ(contents(path("a.bt")), contents(path("b.bt")));
 }
 
 TEST_F(Offline, TheSameBagGivesTheSameBytes) {
