@@ -17,6 +17,7 @@ inline MappingParameters parametersOf(Mode mode, double radius = 0.25) {
   MappingParameters parameters;
   parameters.mode = mode;
   parameters.radius = radius;
+  parameters.occupancy.max_log_odds = 3.5;  // drawMap's
   return parameters;
 }
 
