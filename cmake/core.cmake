@@ -1,7 +1,9 @@
 # The libraries without ROS.
 find_package(PCL REQUIRED QUIET COMPONENTS common io)
 find_package(octomap REQUIRED)
-include_directories(SYSTEM ${PCL_INCLUDE_DIRS} ${OCTOMAP_INCLUDE_DIRS})
+find_package(HDF5 REQUIRED COMPONENTS CXX)
+find_package(ZLIB REQUIRED)
+include_directories(SYSTEM ${PCL_INCLUDE_DIRS} ${OCTOMAP_INCLUDE_DIRS} ${HDF5_INCLUDE_DIRS})
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
 # A program loads only the libraries that it calls.
@@ -20,7 +22,9 @@ target_link_libraries(atom_map PUBLIC Eigen3::Eigen Threads::Threads)
 
 # surface, io: meshes, files. PCL's files and not its targets: those drag in all of VTK, MPI too.
 add_library(atom_map_io ${io_sources})
-target_link_libraries(atom_map_io PUBLIC atom_map ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY} PRIVATE ${surface_vtk})
+target_link_libraries(atom_map_io
+  PUBLIC atom_map ${PCL_IO_LIBRARY} ${PCL_COMMON_LIBRARY} ${HDF5_CXX_LIBRARIES} ZLIB::ZLIB
+  PRIVATE ${surface_vtk})
 
 # io/picture: a library of its own, since what draws must not weigh on the nodes
 if(TARGET VTK::RenderingOpenGL2)
@@ -37,4 +41,4 @@ target_link_libraries(atom_map_sim PUBLIC atom_map)
 
 # baseline: OctoMap, for comparison
 add_library(atom_map_baseline ${baseline_sources})
-target_link_libraries(atom_map_baseline PUBLIC atom_map ${OCTOMAP_LIBRARIES})
+target_link_libraries(atom_map_baseline PUBLIC atom_map atom_map_io ${OCTOMAP_LIBRARIES})

@@ -3,10 +3,12 @@
 #include <tf2/buffer_core.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <csignal>
 #include <stdexcept>
 
 #include "atom_mapping/ros/map_publisher.h"
 #include "atom_mapping/ros/map_queries.h"
+#include "atom_mapping/ros/map_storage.h"
 #include "atom_mapping/ros/node_diagnostics.h"
 #include "atom_mapping/ros/path_service.h"
 #include "atom_mapping/ros/read_parameters.h"
@@ -32,6 +34,7 @@ class MappingNode {
  public:
   explicit MappingNode(const Parameters& parameters)
       : server_(parameters.mapping),
+        storage_(server_, parameters.node.storage),
         queries_(server_, transforms_, parameters.node.services),
         surface_(private_node_, server_, parameters.node.services,
                  [](const std::string& line) { ROS_INFO_STREAM(line); }),
@@ -42,12 +45,14 @@ class MappingNode {
         publisher_(private_node_, server_, parameters.node.publish),
         input_(node_, server_, transforms_, parameters.node.input,
                [this](const auto& cloud, const ScanOutcome& outcome) { report(cloud, outcome); }) {
-    serve<QueryOccupancy>("query_occupancy", queries_);
-    serve<QuerySignedDistance>("query_signed_distance", queries_);
-    serve<ExtractSurface>("extract_surface", surface_);
-    serve<CheckCollision>("check_collision", queries_);
-    serve<CastRay>("cast_ray", queries_);
-    serve<ClearRegion>("clear_region", queries_);
+    serve<QueryOccupancy>("query_occupancy");
+    serve<QuerySignedDistance>("query_signed_distance");
+    serve<CheckCollision>("check_collision");
+    serve<CastRay>("cast_ray");
+    serve<ClearRegion>("clear_region");
+    serve<ExtractSurface>("extract_surface", [this](const auto& request) { return surface_.answer(request); });
+    serve<MapFile>("save_map", [this](const auto& request) { return storage_.save(request); });
+    serve<MapFile>("load_map", [this](const auto& request) { return storage_.load(request); });
     servePaths();
     services_.push_back(private_node_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
         "reset", [this](auto& /*request*/, auto& response) {
@@ -57,11 +62,16 @@ class MappingNode {
   }
 
  private:
-  template <class Service, class Answerer>
-  void serve(const std::string& name, Answerer& answerer) {
+  template <class Service>
+  void serve(const std::string& name) {
+    serve<Service>(name, [this](const auto& request) { return queries_.answer(request); });
+  }
+
+  template <class Service, class Answer>
+  void serve(const std::string& name, Answer answer) {
     services_.push_back(private_node_.advertiseService<typename Service::Request, typename Service::Response>(
-        name, [this, name, &answerer](auto& request, auto& response) {
-          response = answerer.answer(request);
+        name, [this, name, answer](auto& request, auto& response) {
+          response = answer(request);
           if (!response.success) log_.warn(name, "Refused a request of ~" + name + ": " + response.message);
           return true;
         }));
@@ -99,6 +109,7 @@ class MappingNode {
   ros::NodeHandle private_node_{"~"};
   ThrottledLog log_;
   ScanServer server_;
+  MapStorage storage_;  // saves once what may change the map has stopped
   tf2::BufferCore transforms_;
   MapQueries queries_;
   SurfaceService surface_;
@@ -118,6 +129,7 @@ int run() {
   const MappingNode node(parameters);
   ros::AsyncSpinner spinner(kServiceThreads);
   spinner.start();
+  std::signal(SIGTERM, [](int /*signal*/) { ros::requestShutdown(); });  // as SIGINT, which ROS handles: no map is lost
   ros::waitForShutdown();
   return 0;
 }

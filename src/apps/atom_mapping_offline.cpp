@@ -5,12 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "atom_mapping/baseline/export_octree.h"
 #include "atom_mapping/io/export_atoms.h"
+#include "atom_mapping/io/map_file.h"
+#include "atom_mapping/io/write_file.h"
 #include "atom_mapping/ros/bag_progress.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/bag_summary.h"
@@ -31,6 +35,7 @@ struct Options {
   std::optional<double> radius;
   std::optional<std::string> mode;
   std::optional<std::size_t> scans;
+  std::string save;
   std::vector<std::string> exports;
 };
 
@@ -41,7 +46,9 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--mode", options.mode, "occupancy or signed_distance, whatever the parameters say");
   app.add_option("--topic", options.cloud_topic, "Of the clouds (the only one, or /velodyne_points)");
   app.add_option("--scans", options.scans, "Map so many, no more")->check(CLI::Range(1, 1000000000));
-  app.add_option("--export", options.exports, "Write the atoms to a .ply, .pcd or .csv; may be given several times");
+  app.add_option("--save", options.save, "Write the map to a file that the node, map_info and HDF5's tools read (.h5)");
+  app.add_option("--export", options.exports,
+                 "Write the atoms to a .ply, .pcd or .csv, or the space to OctoMap's .bt; may be given several times");
 }
 
 atom_mapping::ParameterValues readConfig(const std::string& file) {
@@ -81,10 +88,17 @@ std::string explain(const BagReader& bag, const ScanServer& server, const BagSum
   return "nothing was mapped" + (lacks_transforms ? frames : "") + ": " + summary.firstDrop();
 }
 
+bool isOctree(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".bt";
+}
+
 void run(const Options& options) {
   using Clock = std::chrono::steady_clock;
   ScanServer server(makeParameters(options));
-  for (const std::string& file : options.exports) atom_map::checkExportFile(file);
+  if (!options.save.empty()) atom_map::checkWritable(options.save);
+  for (const std::string& file : options.exports) {
+    isOctree(file) ? atom_map::checkWritable(file) : atom_map::checkExportFile(file);
+  }
   BagReader bag(options.bag, options.cloud_topic);
   if (!bag.hasTransforms()) throw BadBag(options.bag + " holds no tf: record /tf and /tf_static beside the clouds");
   if (bag.clouds() == 0) throw BadBag(options.bag + " holds not one cloud on " + bag.cloudTopic());
@@ -94,8 +108,10 @@ void run(const Options& options) {
   std::cout << options.bag << ", " << bag.cloudTopic() << "\n";
   summary.print(std::chrono::duration<double>(Clock::now() - start).count(), std::cout);
   if (summary.mapped() == 0) throw BadBag(explain(bag, server, summary));
+  if (!options.save.empty()) atom_map::saveMap(atom_map::copyMap(server.mapper()), options.save);
   for (const std::string& file : options.exports) {
-    server.mapper().read([&](const atom_map::AtomMap& map) { atom_map::exportAtoms(map, file); });
+    const auto write = isOctree(file) ? atom_map::exportOctree : atom_map::exportAtoms;
+    server.mapper().read([&](const atom_map::AtomMap& map) { write(map, file); });
   }
 }
 

@@ -1,5 +1,6 @@
 #include "atom_mapping/io/write_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,6 +18,15 @@ namespace fs = std::filesystem;
   throw std::runtime_error("cannot write " + file + ": " + std::generic_category().message(error));
 }
 
+// Brings to the disk what a file holds, or a folder's names; 0 or the system's error.
+int sync(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  return error;
+}
+
 }  // namespace
 
 void writeFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
@@ -26,15 +36,16 @@ void writeFile(const std::string& file, const std::function<void(std::ostream&)>
   std::ofstream out(part, std::ios::binary);
   if (out) write(out);
   out.close();
-  if (!out) {
-    const int error = errno;
+  const int written = out ? sync(part) : errno;
+  if (!out || written != 0) {
     std::error_code ignored;
     fs::remove(part, ignored);
-    fail(file, error);
+    fail(file, written);
   }
   std::error_code error;
   fs::rename(part, file, error);
   if (error) fail(file, error.value());
+  if (const int renamed = sync(fs::absolute(file).parent_path()); renamed != 0) fail(file, renamed);
 }
 
 void checkWritable(const std::string& file) {

@@ -1,7 +1,6 @@
 #include "atom_mapping/map/atom_block.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
 
@@ -13,12 +12,10 @@ void AtomBlock::push(const Eigen::Vector3f& center, const float* values) {
   for (int c = 0; c < value_count_; ++c) channel(3 + c)[size_ - 1] = values[c];
 }
 
-void AtomBlock::moveTo(AtomBlock& other, std::uint32_t i) {
-  std::array<float, 4> values{};
-  assert(value_count_ <= values.size());
-  for (std::size_t c = 0; c < value_count_; ++c) values[c] = channel(3 + static_cast<int>(c))[i];
-  other.push(center(i), values.data());
-  remove(i);
+void AtomBlock::push(const AtomBlock& other, std::uint32_t i) {
+  assert(i < other.size_ && value_count_ == other.value_count_);
+  resize(size_ + 1);
+  for (int c = 0; c < 3 + value_count_; ++c) channel(c)[size_ - 1] = other.channel(c)[i];
 }
 
 void AtomBlock::remove(std::uint32_t i) {

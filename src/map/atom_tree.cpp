@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace atom_map {
 
@@ -36,6 +37,8 @@ int AtomTree::partingLevel(const CellKey& atom) const {
   return CellKey::firstDifference(atom, key(leaf(child).center(0)));
 }
 
+// Each side keeps its atoms in their order, and so does a leaf made of two: a tree made of another's atoms, in that one's
+// order, has the same order. Map files rely on it.
 void AtomTree::splitIfOverfull(Place place) {
   const Child lower = at(place);
   if (leaf(lower).size() <= kLeafCapacity) return;
@@ -48,8 +51,9 @@ void AtomTree::splitIfOverfull(Place place) {
   const Child upper = newLeaf();
   const std::uint32_t plane = first.planeAt(level);
   const auto axis = static_cast<std::size_t>(CellKey::axisOf(level));
-  for (std::uint32_t i = leaf(lower).size(); i-- > 0;) {
-    if (key(leaf(lower).center(i)).cell[axis] >= plane) leaf(lower).moveTo(leaf(upper), i);
+  const AtomBlock atoms = std::exchange(leaf(lower), AtomBlock(value_count_));
+  for (std::uint32_t i = 0; i < atoms.size(); ++i) {
+    leaf(key(atoms.center(i)).cell[axis] >= plane ? upper : lower).push(atoms, i);
   }
   const bool first_is_above = first.cell[axis] >= plane;
   const Child parent = newInner(level, first, first_is_above ? upper : lower, first_is_above ? lower : upper);
@@ -117,7 +121,8 @@ AtomTree::Child AtomTree::removeBelow(Child child, const CellRange& range, const
   inner(child).children = left;
   const bool leaves = isLeaf(left[0]) && isLeaf(left[1]);
   if (leaves && leaf(left[0]).size() + leaf(left[1]).size() <= kLeafCapacity / 2) {
-    while (leaf(left[1]).size() > 0) leaf(left[1]).moveTo(leaf(left[0]), leaf(left[1]).size() - 1);
+    const AtomBlock atoms = std::exchange(leaf(left[1]), AtomBlock(value_count_));
+    for (std::uint32_t i = 0; i < atoms.size(); ++i) leaf(left[0]).push(atoms, i);
   }
   for (std::size_t side = 0; side < 2; ++side) {
     if (!isLeaf(left[side]) || leaf(left[side]).size() > 0) continue;

@@ -1,12 +1,14 @@
 #include "atom_mapping/map/mapper.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 
 #include "atom_mapping/base/check_parameters.h"
 #include "atom_mapping/map/drop_crossing.h"
 #include "atom_mapping/scan/candidate_filter.h"
 #include "atom_mapping/scan/rays.h"
+#include "atom_mapping/scan/snap.h"
 
 namespace atom_map {
 namespace {
@@ -78,6 +80,8 @@ void Mapper::mergeOccupancy(const std::vector<SurfacePoint>& surface, const std:
     return traceRays(surface, parameters_.scan.clear_no_returns ? no_returns : none, sensor, parameters_, random);
   });
   candidates = gridFiltered(std::move(candidates), report);
+  snapToLattice(candidates.occupied, map_.radius());
+  snapToLattice(candidates.free, map_.radius());
   OccupancyMerge merging(map_, parameters_.occupancy);
   merge(candidates.occupied, merging, report);
   merge(candidates.free, merging, report);
@@ -93,6 +97,8 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
     dropCrossing(surface, map_.radius(), static_cast<float>(parameters_.scan.range_noise), candidates);
     return 0;
   });
+  snapToLattice(candidates.behind, map_.radius());
+  snapToLattice(candidates.infront, map_.radius());
   DistanceMerge merging(map_, parameters_.signed_distance);
   merge(candidates.behind, merging, report);
   merge(candidates.infront, merging, report);
@@ -122,6 +128,13 @@ void Mapper::merge(const std::vector<AnyCandidate>& candidates, Merging& merging
     }
     return merging.report();
   });
+}
+
+void Mapper::replace(AtomMap map, std::uint64_t scans) {
+  assert(map.mode() == map_.mode() && map.radius() == map_.radius());
+  const std::lock_guard scan_lock(scan_mutex_);
+  write([&](AtomMap& mine) { std::swap(mine, map); });  // the old one is freed when readers may read again
+  scans_ = scans;
 }
 
 void Mapper::reset() {

@@ -69,6 +69,12 @@ void ScanServer::reset() {
   noteChange();
 }
 
+void ScanServer::replace(atom_map::AtomMap map, std::uint64_t scans) {
+  mapper_.replace(std::move(map), scans);
+  restartTime();
+  noteChange();
+}
+
 ScanCounts ScanServer::counts() const {
   const std::lock_guard lock(mutex_);
   return counts_;

@@ -12,6 +12,9 @@
 #include <fstream>
 #include <string>
 
+#include "atom_mapping/baseline/export_octree.h"
+#include "atom_mapping/io/export_atoms.h"
+#include "atom_mapping/io/map_file.h"
 #include "atom_mapping/ros/simulated_messages.h"
 #include "atom_mapping/sim/make_scene.h"
 
@@ -131,6 +134,18 @@ TEST_F(Offline, MapsABagAndTellsWhatCameOfIt) {
   EXPECT_FALSE(contains(result.err, "\r")) << "a bar in a log";
 }
 
+TEST_F(Offline, SavesAMapThatHoldsWhatItExports) {
+  const std::string bag = writeBag("five.bag", {});
+  const std::string exports = " --export " + path("a.ply") + " --export " + path("a.bt");
+  ASSERT_EQ(run("--bag " + bag + " --save " + path("map.h5") + exports).exit_code, 0);
+  const atom_map::LoadedMap loaded = atom_map::loadMap(path("map.h5"));
+  EXPECT_EQ(loaded.scans, 5U);
+  atom_map::exportAtoms(loaded.map, path("b.ply"));
+  EXPECT_EQ(contents(path("a.ply")), contents(path("b.ply")));
+  atom_map::exportOctree(loaded.map, path("b.bt"));
+  EXPECT_EQ(contents(path("a.bt")), contents(path("b.bt")));
+}
+
 TEST_F(Offline, TheSameBagGivesTheSameBytes) {
   const std::string bag = writeBag("five.bag", {});
   ASSERT_EQ(run("--bag " + bag + " --export " + path("a.ply")).exit_code, 0);
@@ -221,6 +236,7 @@ TEST_F(Offline, BadArgumentsAreRefused) {
   expectFault(bag + " --config " + writeText("bad.yaml", "radius: ["), "bad.yaml: ");
   expectFault(bag + " --config " + writeText("unknown.yaml", "raduis: 1"), "raduis is no parameter");
   expectFault(bag + " --export " + path("map.obj"), "name a file that ends in .ply, .pcd or .csv\n");
+  expectFault(bag + " --save " + path("none/map.h5"), "none/map.h5: No such file or directory\n");
   expectFault(bag + " --export " + path("none/map.ply"), "none/map.ply: No such file or directory\n");
   EXPECT_EQ(run("--help").exit_code, 0);
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Every launch file parses, with each of its options too, and starts only programs that exist; every YAML loads."""
+import os
 import pathlib
 import unittest
 import xml.etree.ElementTree
@@ -52,6 +53,17 @@ class LaunchTest(unittest.TestCase):
         played = [node for node in nodesOf(launch_file, bag='/tmp/some.bag').values() if node.package == 'rosbag']
         self.assertEqual(len(played), 1)
         self.assertIn('--clock', played[0].args)
+
+    def testARelativeMapStartsWhereRoslaunchWasCalled(self):
+        def loaded(**arguments):
+            given = [f'{name}:={value}' for name, value in arguments.items()]
+            launch_file = str(ROOT / 'launch/atom_mapping.launch')
+            config = roslaunch.config.load_config_default([(launch_file, given)], port=11311, verbose=False)
+            parameter = config.params.get('/atom_mapping/storage/load')
+            return parameter and parameter.value
+        self.assertEqual(loaded(), '')
+        self.assertEqual(loaded(map='/tmp/map.h5'), '/tmp/map.h5')
+        self.assertEqual(loaded(map='map.h5'), f'{os.environ["PWD"]}/map.h5')
 
     def testNodesBearTheNamesOfTheirServices(self):
         nodes = nodesOf(ROOT / 'launch/atom_mapping.launch')

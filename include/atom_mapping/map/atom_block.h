@@ -27,8 +27,8 @@ class AtomBlock {
   // Appends an atom; `values` points to value_count floats.
   void push(const Eigen::Vector3f& center, const float* values);
 
-  // Moves atom i of this block to the end of `other`, and this block's last atom into the gap.
-  void moveTo(AtomBlock& other, std::uint32_t i);
+  // Appends a copy of the other block's atom i.
+  void push(const AtomBlock& other, std::uint32_t i);
 
   // The last atom takes the place of atom i.
   void remove(std::uint32_t i);

@@ -65,6 +65,10 @@ class AtomTree {
   template <class Visit>
   void forEach(Visit&& visit) const;
 
+  // Calls visit(const AtomBlock&) for the atoms of each leaf, in the tree's order: the quickest way to copy them all.
+  template <class Visit>
+  void forEachBlock(Visit&& visit) const;
+
   // The nearest atom whose centre lies nearer to p than max_distance.
   std::optional<Neighbor> nearest(const Eigen::Vector3f& p, float max_distance) const;
 

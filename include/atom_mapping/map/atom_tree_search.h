@@ -64,11 +64,15 @@ void AtomTree::forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const
 }
 
 template <class Visit>
-void AtomTree::forEach(Visit&& visit) const {
+void AtomTree::forEachBlock(Visit&& visit) const {
   if (size_ == 0) return;
   constexpr std::uint32_t kEnd = ~0U;
-  visitLeaves(root_, {{0, 0, 0}, {kEnd, kEnd, kEnd}}, [&](Child child) {
-    const AtomBlock& block = leaf(child);
+  visitLeaves(root_, {{0, 0, 0}, {kEnd, kEnd, kEnd}}, [&](Child child) { visit(leaf(child)); });
+}
+
+template <class Visit>
+void AtomTree::forEach(Visit&& visit) const {
+  forEachBlock([&](const AtomBlock& block) {
     for (std::uint32_t i = 0; i < block.size(); ++i) visit(ConstAtomRef{&block, i});
   });
 }

@@ -41,6 +41,18 @@ class Mapper {
     return std::forward<F>(f)(map_);
   }
 
+  // Calls f(const AtomMap&, number of scans merged) as read does, but between two scans.
+  template <class F>
+  auto readBetweenScans(F&& f) const {
+    const std::lock_guard scan_lock(scan_mutex_);
+    const std::shared_lock lock(mutex_);
+    return std::forward<F>(f)(map_, scans_);
+  }
+
+  // Takes another map, of this one's mode and radius, and goes on as if it had been made here of so many scans; waits for
+  // a scan that is being merged.
+  void replace(AtomMap map, std::uint64_t scans);
+
   // Empties the map and starts the random draws anew; waits for a scan that is being merged.
   void reset();
 
@@ -57,7 +69,7 @@ class Mapper {
   void merge(const std::vector<AnyCandidate>& candidates, Merging& merging, ScanReport& report);
 
   MappingParameters parameters_;
-  std::mutex scan_mutex_;            // held from a scan's first stage to its last
+  mutable std::mutex scan_mutex_;    // held from a scan's first stage to its last
   mutable std::shared_mutex mutex_;  // of the map
   AtomMap map_;
   std::uint64_t scans_ = 0;

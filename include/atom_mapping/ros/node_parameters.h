@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "atom_mapping/base/describe_parameters.h"
 
@@ -30,10 +31,18 @@ struct ServiceParameters {
   std::uint32_t max_points = 1000000;  // points, spheres or rays in a request
 };
 
+// storage/
+struct StorageParameters {
+  std::string load;               // map file to start from; empty: start with an empty map
+  std::string autosave;           // map file that is kept up to date and written at shutdown; empty: none
+  double autosave_period = 60.0;  // s of wall time between two
+};
+
 struct NodeParameters {
   InputParameters input;
   PublishParameters publish;
   ServiceParameters services;
+  StorageParameters storage;
 };
 
 // As atom_map::forEachParameter.
@@ -50,6 +59,10 @@ void forEachNodeParameter(Parameters& p, Visit&& visit) {
   visit("publish/max_markers", p.publish.max_markers, Range{1.0, 1e8});
 
   visit("services/max_points", p.services.max_points, Range{1.0, 1e8});
+
+  visit("storage/load", p.storage.load);
+  visit("storage/autosave", p.storage.autosave);
+  visit("storage/autosave_period", p.storage.autosave_period, Range{0.1, 1e6});
 }
 
 }  // namespace atom_mapping

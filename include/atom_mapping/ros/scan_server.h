@@ -43,6 +43,8 @@ class ScanServer {
   // As AtomMap::clearRegion and Mapper::reset. Reset also restarts time; counts go on.
   std::size_t clearRegion(const Eigen::AlignedBox3d& box);
   void reset();
+  // As Mapper::replace. Also restarts time.
+  void replace(atom_map::AtomMap map, std::uint64_t scans);
 
   ScanCounts counts() const;
   // Grows whenever the map changed.

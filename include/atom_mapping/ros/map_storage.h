@@ -1,0 +1,50 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "atom_mapping/MapFile.h"
+#include "atom_mapping/ros/node_parameters.h"
+#include "atom_mapping/ros/scan_server.h"
+#include "atom_mapping/ros/throttled_log.h"
+
+namespace atom_mapping {
+
+// The map's files: the one to start from, what the services save and load, and the one that is kept up to date from a
+// thread of its own. Scans go on while a file is written.
+// Thread safety: any member may be called from any thread; one file is written at a time.
+class MapStorage {
+ public:
+  // Loads storage/load. Throws std::invalid_argument where that cannot be, or where storage/autosave cannot be written.
+  MapStorage(ScanServer& server, const StorageParameters& parameters);
+  // Saves to storage/autosave what changed since it was saved last.
+  ~MapStorage();
+  MapStorage(const MapStorage&) = delete;
+  MapStorage& operator=(const MapStorage&) = delete;
+
+  // As MapQueries' answers: never throw, and a file that cannot be loaded leaves the map as it is. A file's map must be of
+  // the node's mode, radius and map frame.
+  MapFile::Response save(const MapFile::Request& request);
+  MapFile::Response load(const MapFile::Request& request);
+
+ private:
+  std::size_t saveTo(const std::string& file);
+  std::size_t loadFrom(const std::string& file);
+  void autosave();
+  void work();
+
+  ScanServer& server_;
+  StorageParameters parameters_;
+  ThrottledLog log_;
+  std::mutex saving_;
+  std::uint64_t saved_revision_ = 0;  // of storage/autosave; the worker's alone
+  std::mutex mutex_;                  // of what follows
+  std::condition_variable changed_;
+  bool stopping_ = false;
+  std::thread thread_;  // where there is something to keep up to date
+};
+
+}  // namespace atom_mapping

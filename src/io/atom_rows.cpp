@@ -1,0 +1,54 @@
+#include "atom_mapping/io/atom_rows.h"
+
+#include <stdexcept>
+
+namespace atom_map {
+namespace {
+
+using map_file::kChunk;
+
+// HDF5 makes room for a whole chunk, however little of it there is.
+bool hasOurChunks(const H5::DataSet& set, int rank) {
+  const H5::DSetCreatPropList layout = set.getCreatePlist();
+  if (layout.getLayout() != H5D_CHUNKED) return false;
+  std::array<hsize_t, 2> chunk{0, 1};
+  return layout.getChunk(rank, chunk.data()) == rank && chunk[0] <= kChunk && chunk[1] == 1;
+}
+
+H5::DataSet openSet(const H5::H5File& image, const std::string& name, hsize_t rows, int rank) {
+  const H5::DataSet set = image.openDataSet(name);
+  const H5::DataSpace space = set.getSpace();
+  std::array<hsize_t, 2> sizes{0, 3};
+  const bool has_rank = space.getSimpleExtentNdims() == rank;
+  if (has_rank) space.getSimpleExtentDims(sizes.data());
+  if (!has_rank || sizes[0] != rows || sizes[1] != 3) {
+    throw std::runtime_error(name + " does not have " + std::to_string(rows) + " rows, one an atom" +
+                             (rank == 2 ? ", of 3 columns" : ""));
+  }
+  if (!(set.getDataType() == H5::PredType::IEEE_F32LE)) {
+    throw std::runtime_error(name + " is not made of floats of 32 bits");
+  }
+  if (rows > 0 && !hasOurChunks(set, rank)) {
+    throw std::runtime_error(name + " is not in chunks of one column and at most " + std::to_string(kChunk) + " rows");
+  }
+  return set;
+}
+
+}  // namespace
+
+AtomRows::AtomRows(const H5::H5File& image, Mode mode, hsize_t rows) : rows_(rows) {
+  sets_.push_back(openSet(image, map_file::kCenters, rows, 2));
+  for (const std::string& name : map_file::valueNames(mode)) sets_.push_back(openSet(image, name, rows, 1));
+}
+
+void AtomRows::readColumn(std::size_t column, hsize_t begin, hsize_t count) {
+  const H5::DataSet& set = sets_[column < 3 ? 0 : column - 2];
+  const H5::DataSpace source = set.getSpace();
+  const std::array<hsize_t, 2> start{begin, column < 3 ? column : 0};
+  const std::array<hsize_t, 2> size{count, 1};
+  source.selectHyperslab(H5S_SELECT_SET, size.data(), start.data());
+  stretch_[column].resize(count);
+  set.read(stretch_[column].data(), H5::PredType::NATIVE_FLOAT, H5::DataSpace(1, size.data()), source);
+}
+
+}  // namespace atom_map

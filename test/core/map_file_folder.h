@@ -1,0 +1,86 @@
+// What the tests of the map file share: maps of atoms anywhere, and a folder of their own for files.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "atom_mapping/io/map_file.h"
+#include "draw.h"
+
+namespace atom_map {
+
+inline MappingParameters parametersOf(Mode mode, double radius = 0.25) {
+  MappingParameters parameters;
+  parameters.mode = mode;
+  parameters.radius = radius;
+  parameters.occupancy.max_log_odds = 3.5;  // drawMap's
+  return parameters;
+}
+
+// Up to `count` atoms, no two nearer than they may be, 100 km from the map frame's origin.
+inline AtomMap drawMap(const MappingParameters& parameters, int count, std::uint64_t seed) {
+  AtomMap map(parameters.mode, parameters.radius);
+  map.anchor({1e5, -1e5, 37.0});
+  Random random(seed);
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3f center = drawIn(random, {Eigen::Vector3f(-20, -15, -1), Eigen::Vector3f(20, 15, 3)});
+    if (map.atoms().nearest(center, 2.0F * map.radius())) continue;
+    const bool is_clamped = random.uniform() < 0.2F;
+    const float value = is_clamped ? -3.5F : draw(random, -3.5F, 3.5F);
+    const float values[] = {value, random.uniform()};
+    map.atoms().insert(center, values);
+  }
+  return map;
+}
+
+inline MapCopy copyOf(const MappingParameters& parameters, AtomMap map, std::uint64_t scans = 7) {
+  Mapper mapper(parameters);
+  mapper.replace(std::move(map), scans);
+  return copyMap(mapper);
+}
+
+inline std::string contents(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// What loadMap says against a file; empty if nothing.
+inline std::string faultOf(const std::string& file) {
+  try {
+    loadMap(file);
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+class MapFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string write(const std::string& bytes) const {
+    std::ofstream(path("written.h5"), std::ios::binary) << bytes;
+    return path("written.h5");
+  }
+
+  void expectRefused(const std::string& file, const std::string& reason) const {
+    const std::string fault = faultOf(file);
+    EXPECT_EQ(fault.rfind("cannot load " + file + ": ", 0), 0U) << fault;
+    EXPECT_NE(fault.find(reason), std::string::npos) << "expected: " << reason << "\n" << fault;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("map_file_" + std::to_string(getpid()));
+};
+
+}  // namespace atom_map

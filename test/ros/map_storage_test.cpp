@@ -1,0 +1,233 @@
+#include "atom_mapping/ros/map_storage.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "atom_mapping/io/map_file.h"
+#include "simulated_input.h"
+
+namespace atom_mapping {
+namespace {
+
+namespace fs = std::filesystem;
+using atom_map::AtomMap;
+
+std::string contents(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Every bit of a server's map, in its order.
+std::vector<float> bitsOf(const ScanServer& server) {
+  const atom_map::MapCopy copy = atom_map::copyMap(server.mapper());
+  std::vector<float> bits;
+  for (const std::vector<float>& column : copy.columns) bits.insert(bits.end(), column.begin(), column.end());
+  for (const double x : copy.origin) bits.push_back(static_cast<float>(x));
+  return bits;
+}
+
+MapFile::Request at(const std::string& file) {
+  MapFile::Request request;
+  request.file = file;
+  return request;
+}
+
+atom_map::MappingParameters coarse() {
+  atom_map::MappingParameters parameters;
+  parameters.radius = 0.5;
+  parameters.scan.horizontal_resolution = 2.0;
+  return parameters;
+}
+
+class MapStorageTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  void mapScans(ScanServer& server, int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      transforms_.setTransform(drive_.transform(i), "test");
+      ASSERT_FALSE(server.insert(drive_.cloud(i), transforms_).drop);
+    }
+  }
+
+  void expectRefused(MapStorage& storage, const std::string& file, const std::string& message) {
+    const std::uint64_t revision = server_.revision();
+    const auto response = storage.load(at(file));
+    EXPECT_FALSE(response.success);
+    EXPECT_NE(response.message.find(message), std::string::npos) << response.message;
+    EXPECT_EQ(response.atoms, 0U);
+    EXPECT_EQ(server_.revision(), revision);
+  }
+
+  std::string saveOther(const atom_map::MappingParameters& parameters) {
+    ScanServer other(parameters);
+    mapScans(other, 0, 1);
+    EXPECT_TRUE(MapStorage(other, {}).save(at(path("other.h5"))).success);
+    return path("other.h5");
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("map_storage_" + std::to_string(getpid()));
+  SimulatedDrive drive_ = makeCoarseDrive();
+  tf2::BufferCore transforms_;
+  ScanServer server_{coarse()};
+};
+
+TEST_F(MapStorageTest, SavedResetAndLoadedIsTheSameMap) {
+  MapStorage storage(server_, {});
+  mapScans(server_, 0, 3);
+  const std::vector<float> before = bitsOf(server_);
+  const auto saved = storage.save(at(path("map.h5")));
+  ASSERT_TRUE(saved.success) << saved.message;
+  EXPECT_EQ(saved.atoms, server_.read([](const AtomMap& map) { return map.atoms().size(); }));
+  EXPECT_GT(saved.atoms, 100U);
+  server_.reset();
+  const std::uint64_t revision = server_.revision();
+  const auto loaded = storage.load(at(path("map.h5")));
+  ASSERT_TRUE(loaded.success) << loaded.message;
+  EXPECT_EQ(loaded.atoms, saved.atoms);
+  EXPECT_EQ(bitsOf(server_), before);
+  EXPECT_GT(server_.revision(), revision);
+}
+
+TEST_F(MapStorageTest, MappingGoesOnFromALoadedMapEvenWithOlderClouds) {
+  mapScans(server_, 0, 4);
+  ScanServer first(coarse());
+  mapScans(first, 0, 2);
+  ASSERT_TRUE(MapStorage(first, {}).save(at(path("map.h5"))).success);
+  ScanServer second(coarse());
+  mapScans(second, 3, 4);
+  ASSERT_TRUE(MapStorage(second, {}).load(at(path("map.h5"))).success);
+  mapScans(second, 2, 4);
+  EXPECT_EQ(bitsOf(second), bitsOf(server_));
+}
+
+TEST_F(MapStorageTest, AMapOfAnotherKindIsRefusedWithTheRemedy) {
+  MapStorage storage(server_, {});
+  mapScans(server_, 0, 1);
+  atom_map::MappingParameters other = coarse();
+  other.radius = 0.25;
+  expectRefused(storage, saveOther(other),
+                "its radius is 0.25 and this node's is 0.5; load another map, or start the node with radius 0.25");
+  other = coarse();
+  other.mode = atom_map::Mode::kSignedDistance;
+  expectRefused(storage, saveOther(other), "its mode is signed_distance and this node's is occupancy; load another");
+}
+
+TEST_F(MapStorageTest, AMapInAnotherFrameIsRefusedAndASlashIsNone) {
+  MapStorage storage(server_, {});
+  atom_map::MappingParameters other = coarse();
+  other.map_frame = "odom";
+  atom_map::saveMap(atom_map::copyMap(atom_map::Mapper(other)), path("odom.h5"));
+  expectRefused(storage, path("odom.h5"), "its map_frame is odom and this node's is map; load another");
+  other.map_frame = "/map";
+  atom_map::saveMap(atom_map::copyMap(atom_map::Mapper(other)), path("slash.h5"));
+  EXPECT_TRUE(storage.load(at(path("slash.h5"))).success);
+}
+
+TEST_F(MapStorageTest, AFileThatIsNotThereOrDamagedIsRefusedAndTheMapStays) {
+  MapStorage storage(server_, {});
+  mapScans(server_, 0, 1);
+  const std::vector<float> before = bitsOf(server_);
+  expectRefused(storage, path("none.h5"), "cannot load " + path("none.h5") + ": No such file or directory");
+  expectRefused(storage, "", "file is empty; name one");
+  ASSERT_TRUE(storage.save(at(path("map.h5"))).success);
+  fs::resize_file(path("map.h5"), 5000);
+  expectRefused(storage, path("map.h5"), "it is cut short");
+  EXPECT_EQ(bitsOf(server_), before);
+}
+
+TEST_F(MapStorageTest, AFileThatCannotBeWrittenIsReported) {
+  MapStorage storage(server_, {});
+  const auto response = storage.save(at(path("none/map.h5")));
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "cannot write " + path("none/map.h5") + ": No such file or directory");
+  EXPECT_EQ(storage.save(at("")).message, "file is empty; name one, such as /tmp/map.h5");
+}
+
+TEST_F(MapStorageTest, AMapToStartFromThatCannotBeLoadedStopsTheStart) {
+  const auto messageOf = [&](const StorageParameters& parameters) -> std::string {
+    try {
+      MapStorage(server_, parameters);
+      return "";
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(messageOf({path("none.h5"), "", 60.0}),
+            "storage: cannot load " + path("none.h5") + ": No such file or directory");
+  EXPECT_EQ(messageOf({"", path("none/map.h5"), 60.0}),
+            "storage: cannot write " + path("none/map.h5") + ": No such file or directory");
+  EXPECT_EQ(messageOf({path("map.h5"), path("map.h5"), 60.0}), "") << "the first start of a map that is to last";
+}
+
+TEST_F(MapStorageTest, TheNextStartGoesOnWhereTheLastEnded) {
+  const StorageParameters parameters{path("map.h5"), path("map.h5"), 1e6};
+  {
+    const MapStorage storage(server_, parameters);
+    mapScans(server_, 0, 2);
+    EXPECT_FALSE(fs::exists(path("map.h5")));
+  }
+  const std::string bytes = contents(path("map.h5"));
+  ScanServer next(coarse());
+  { const MapStorage storage(next, parameters); }
+  EXPECT_EQ(bitsOf(next), bitsOf(server_));
+  EXPECT_EQ(contents(path("map.h5")), bytes) << "nothing changed, nothing to save";
+}
+
+TEST_F(MapStorageTest, AutosaveFollowsTheMap) {
+  const MapStorage storage(server_, {"", path("map.h5"), 0.1});
+  for (int i = 0; i < 3; ++i) {
+    mapScans(server_, i, i + 1);
+    const auto scans = server_.mapper().readBetweenScans([](const AtomMap&, std::uint64_t count) { return count; });
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!fs::exists(path("map.h5")) || atom_map::loadMap(path("map.h5")).scans != scans) {
+      ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+      std::this_thread::yield();
+    }
+  }
+}
+
+TEST_F(MapStorageTest, AnAutosaveThatFailsIsTriedAgain) {
+  fs::create_directories(path("disk"));
+  const MapStorage storage(server_, {"", path("disk/map.h5"), 0.1});
+  fs::rename(path("disk"), path("away"));
+  mapScans(server_, 0, 1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  fs::rename(path("away"), path("disk"));
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!fs::exists(path("disk/map.h5"))) {
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+    std::this_thread::yield();
+  }
+  EXPECT_GT(atom_map::loadMap(path("disk/map.h5")).map.atoms().size(), 0U);
+}
+
+// Scans at full speed beside saves at full speed.
+TEST_F(MapStorageTest, SavingHoldsNoScanUpForLong) {
+  MapStorage storage(server_, {});
+  std::atomic<bool> stop{false};
+  std::atomic<int> saves{0};
+  std::thread saving([&] {
+    while (!stop) saves += storage.save(at(path("map.h5"))).success ? 1 : 0;
+  });
+  mapScans(server_, 0, 30);
+  while (saves < 2) std::this_thread::yield();
+  stop = true;
+  saving.join();
+  EXPECT_EQ(server_.counts().mapped, 30U);
+  EXPECT_GT(atom_map::loadMap(path("map.h5")).map.atoms().size(), 100U);
+}
+
+}  // namespace
+}  // namespace atom_mapping

@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""The README's Python reads a map file, and map_info says what is in one."""
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+import roslib.packages
+import rosunit
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def run(program, *arguments):
+    path = roslib.packages.find_node('atom_mapping', program)[0]
+    return subprocess.run([path, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                          timeout=120)
+
+
+class MapFileTest(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.before = os.getcwd()
+        os.chdir(cls.folder.name)
+        assert run('simulate_bag', '--scene', 'cube', '--scans', '3', '--out', 'cube.bag').returncode == 0
+        mapped = run('atom_mapping_offline', '--bag', 'cube.bag', '--save', 'map.h5', '--export', 'atoms.csv')
+        assert mapped.returncode == 0, mapped.stderr
+        rows = pathlib.Path('atoms.csv').read_text().splitlines()[1:]
+        cls.atoms = [[float(word) for word in row.split(',')] for row in rows]
+
+    @classmethod
+    def tearDownClass(cls):
+        os.chdir(cls.before)
+        cls.folder.cleanup()
+
+    def testTheReadmesPythonReadsIt(self):
+        code = re.search(r'```python\n(import h5py.*?)```', (ROOT / 'README.md').read_text(), re.DOTALL).group(1)
+        names = {}
+        exec(code, names)
+        self.assertEqual(names['radius'], 0.25)
+        self.assertEqual(len(names['centers']), len(self.atoms))
+        for center, (x, y, z, *_) in zip(names['centers'].tolist(), self.atoms):
+            for mine, exported in zip(center, (x, y, z)):
+                self.assertAlmostEqual(mine, exported, delta=1e-4)
+        self.assertEqual(len(names['occupied']), sum(atom[4] > 0 for atom in self.atoms))
+
+    def testMapInfoTellsWhatItHolds(self):
+        info = run('map_info', 'map.h5')
+        self.assertEqual((info.returncode, info.stderr), (0, ''))
+        told = dict(re.findall(r'^ *(\S+) +(.*)$', info.stdout, re.MULTILINE))
+        self.assertEqual(told['atoms'], str(len(self.atoms)))
+        self.assertEqual(told['occupied'], str(sum(atom[4] > 0 for atom in self.atoms)))
+        self.assertEqual(told['scans'], '3')
+        self.assertEqual((told['radius'], told['mode'], told['map_frame']), ('0.25', 'occupancy', 'map'))
+
+    def testMapInfoRefusesADamagedFile(self):
+        damaged = bytearray(pathlib.Path('map.h5').read_bytes())
+        damaged[3000] ^= 1
+        pathlib.Path('damaged.h5').write_bytes(damaged)
+        info = run('map_info', 'damaged.h5')
+        self.assertEqual((info.returncode, info.stdout), (1, ''))
+        self.assertIn('cannot load damaged.h5: it is damaged', info.stderr)
+
+    def testAMapIsMergedWithItselfHereAndElsewhere(self):
+        merged = run('merge_maps', 'map.h5', 'map.h5', '--out', 'merged.h5')
+        self.assertEqual((merged.returncode, merged.stderr), (0, ''))
+        self.assertIn(f'merged.h5: {len(self.atoms)} atoms, 0 of them from map.h5', merged.stdout)
+        far = run('merge_maps', 'map.h5', 'map.h5', '--transform', '1000', '0', '0', '0', '0', '90', '--out', 'far.h5')
+        self.assertIn(f'far.h5: {2 * len(self.atoms)} atoms', far.stdout)
+        self.assertIn(f'atoms {2 * len(self.atoms)}', re.sub(' +', ' ', run('map_info', 'far.h5').stdout))
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('atom_mapping', 'map_file', MapFileTest)
