@@ -34,11 +34,6 @@ struct Drive {
   std::vector<ObservedRay> rays;
 };
 
-bool isInRange(const Eigen::Vector3f& point, const atom_map::ScanParameters& parameters) {
-  const double range = point.cast<double>().norm();
-  return range >= parameters.min_range && range <= parameters.max_range;
-}
-
 Drive simulate(const atom_map::Scene& scene, const Options& options, const atom_map::ScanParameters& parameters) {
   const atom_map::Trajectory trajectory = atom_map::makeTrajectory(options.scene);
   atom_map::LidarModel model;
@@ -51,7 +46,7 @@ Drive simulate(const atom_map::Scene& scene, const Options& options, const atom_
     drive.scans.push_back(atom_map::toLidarScan(scan));
     drive.poses.push_back(pose);
     for (const atom_map::SimulatedReturn& r : scan.returns) {
-      if (!isInRange(r.point, parameters)) continue;
+      if (!atom_map::isInRange(r.point, parameters)) continue;
       const Vector3d normal = pose.linear() * r.true_normal.cast<double>();
       drive.rays.push_back({pose.translation(), pose * r.point.cast<double>(), normal, atom_map::isThin(r.kind)});
     }
@@ -68,7 +63,7 @@ void judgeAtoms(const atom_map::Scene& scene, const Drive& drive, const atom_map
   atom_map::Mapper mapper(parameters);
   for (std::size_t i = 0; i < drive.scans.size(); ++i) mapper.insertScan(drive.scans[i], drive.poses[i]);
   mapper.read([&](const AtomMap& map) {
-    const auto ask = [&](const Vector3d& p) { return atom_map::classify(interpolate(map, map.toLocal(p))); };
+    const auto ask = [&](const Vector3d& p) { return atom_map::classify(map, p); };
     const auto truth = [&](const Vector3d& p) { return scene.signedDistance(p); };
     print("atoms", parameters.radius, measureCoverage(drive.rays, parameters.radius, ask, truth, kSampleSeed),
           map.atoms().size());
@@ -80,7 +75,7 @@ void judgeOctomap(const atom_map::Scene& scene, const Drive& drive, const atom_m
   for (std::size_t i = 0; i < drive.scans.size(); ++i) {
     std::vector<Eigen::Vector3f> returns;
     for (const Eigen::Vector3f& point : drive.scans[i].points) {
-      if (isInRange(point, parameters.scan)) returns.push_back(point);
+      if (atom_map::isInRange(point, parameters.scan)) returns.push_back(point);
     }
     map.insertScan(returns, drive.poses[i]);
   }

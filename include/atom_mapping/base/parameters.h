@@ -64,6 +64,12 @@ struct SurfaceParameters {
   double distance_deviation = 0.08;   // the same in signed distance mode
 };
 
+// OctoMap beside the atom map, fed with the same scans.
+struct OctomapParameters {
+  double resolution = 0.0;  // m, side of a voxel; 0: that of a voxel with the volume of an atom
+  bool prune = false;       // whether equal voxels are joined after each scan (the paper's comparison does not)
+};
+
 struct MappingParameters {
   std::string map_frame = "map";
   Mode mode = Mode::kOccupancy;

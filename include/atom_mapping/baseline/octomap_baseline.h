@@ -21,11 +21,16 @@ class OctomapBaseline {
   // Without pruning no node is ever joined (the paper's setting); with it, the tree is pruned after each scan.
   explicit OctomapBaseline(double resolution, bool prune = false);
 
-  // Merges the returns of one scan, in the sensor's frame. `sensor`: sensor frame to map frame.
-  void insertScan(const std::vector<Eigen::Vector3f>& returns, const Pose& sensor);
+  // Merges the returns of one scan, in the sensor's frame; a return beyond `max_range`, unless that is negative, only
+  // frees the space up to it. `sensor`: sensor frame to map frame. What lies outside the tree's 2^16 voxels is left
+  // out; returns how many were merged.
+  std::size_t insertScan(const std::vector<Eigen::Vector3f>& returns, const Pose& sensor, double max_range = -1.0);
 
   // Of a point of the map frame, as the voxel around it says.
   Occupancy classify(const Eigen::Vector3d& point) const;
+
+  // Heap bytes of the nodes, by the sizes that glibc's allocator gives them. Walks over the whole tree.
+  std::size_t bytes() const;
 
   const octomap::OcTree& tree() const { return tree_; }
   octomap::OcTree& tree() { return tree_; }

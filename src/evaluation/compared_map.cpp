@@ -1,0 +1,39 @@
+#include "atom_mapping/evaluation/compared_map.h"
+
+#include <memory>
+
+#include "atom_mapping/baseline/octomap_mapper.h"
+#include "atom_mapping/map/mapper.h"
+
+namespace atom_map {
+namespace {
+
+// `classify` and `units` ask what the mapper's read() gives them.
+template <class AnyMapper, class Classify, class Units>
+ComparedMap compared(std::string name, const std::shared_ptr<AnyMapper>& mapper, Classify classify, Units units) {
+  return {std::move(name),
+          [mapper](const LidarScan& scan, const Pose& sensor) { return mapper->insertScan(scan, sensor); },
+          [mapper, classify](const Eigen::Vector3d& point) {
+            return mapper->read([&](const auto& map) { return classify(map, point); });
+          },
+          [mapper, units] { return mapper->read(units); }, [mapper] { mapper->reset(); }};
+}
+
+}  // namespace
+
+ComparedMap makeAtomMap(MappingParameters parameters, Mode mode) {
+  parameters.mode = mode;
+  return compared(
+      mode == Mode::kOccupancy ? "atom_occupancy" : "atom_signed_distance", std::make_shared<Mapper>(parameters),
+      [](const AtomMap& map, const Eigen::Vector3d& point) { return classify(map, point); },
+      [](const AtomMap& map) -> std::uint64_t { return map.atoms().size(); });
+}
+
+ComparedMap makeOctomap(const MappingParameters& parameters, const OctomapParameters& octomap) {
+  return compared(
+      "octomap", std::make_shared<OctomapMapper>(parameters, octomap),
+      [](const OctomapBaseline& map, const Eigen::Vector3d& point) { return map.classify(point); },
+      [](const OctomapBaseline& map) -> std::uint64_t { return map.tree().getNumLeafNodes(); });
+}
+
+}  // namespace atom_map
