@@ -3,28 +3,18 @@
 #include <tf2/buffer_core.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <stdexcept>
-
 #include "atom_mapping/ros/map_publisher.h"
 #include "atom_mapping/ros/map_queries.h"
-#include "atom_mapping/ros/node_diagnostics.h"
 #include "atom_mapping/ros/read_parameters.h"
+#include "atom_mapping/ros/run_node.h"
 #include "atom_mapping/ros/scan_input.h"
+#include "atom_mapping/ros/scan_reporter.h"
 #include "atom_mapping/ros/scan_server.h"
+#include "atom_mapping/ros/serve.h"
 #include "atom_mapping/ros/surface_service.h"
-#include "atom_mapping/ros/throttled_log.h"
 
 namespace atom_mapping {
 namespace {
-
-constexpr std::uint32_t kServiceThreads = 2;
-constexpr std::uint32_t kReportQueue = 100;  // messages
-
-Parameters readNodeParameters() {
-  XmlRpc::XmlRpcValue values;
-  const bool has_any = ros::param::get(ros::this_node::getName(), values);
-  return readParameters(has_any ? flatten(values) : ParameterValues());
-}
 
 // The node's parts, in the order in which they depend on one another.
 class MappingNode {
@@ -34,42 +24,24 @@ class MappingNode {
         queries_(server_, transforms_, parameters.node.services),
         surface_(private_node_, server_, parameters.node.services,
                  [](const std::string& line) { ROS_INFO_STREAM(line); }),
-        diagnostics_(node_, server_),
-        reports_(private_node_.advertise<ScanReport>("scan_report", kReportQueue, true)),
+        reporter_(node_, private_node_, server_, [this](auto& status) { describeMap(server_, status); }),
         publisher_(private_node_, server_, parameters.node.publish),
         input_(node_, server_, transforms_, parameters.node.input,
-               [this](const auto& cloud, const ScanOutcome& outcome) { report(cloud, outcome); }) {
+               [this](const auto& cloud, const ScanOutcome& outcome) { reporter_.report(cloud, outcome); }) {
     serve<QueryOccupancy>("query_occupancy", queries_);
     serve<QuerySignedDistance>("query_signed_distance", queries_);
     serve<ExtractSurface>("extract_surface", surface_);
     serve<CheckCollision>("check_collision", queries_);
     serve<CastRay>("cast_ray", queries_);
     serve<ClearRegion>("clear_region", queries_);
-    services_.push_back(private_node_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
-        "reset", [this](auto& /*request*/, auto& response) {
-          response = queries_.reset();
-          return true;
-        }));
+    services_.push_back(serveReset(private_node_, queries_));
   }
 
  private:
   template <class Service, class Answerer>
   void serve(const std::string& name, Answerer& answerer) {
-    services_.push_back(private_node_.advertiseService<typename Service::Request, typename Service::Response>(
-        name, [this, name, &answerer](auto& request, auto& response) {
-          response = answerer.answer(request);
-          if (!response.success) log_.warn(name, "Refused a request of ~" + name + ": " + response.message);
-          return true;
-        }));
-  }
-
-  void report(const sensor_msgs::PointCloud2& cloud, const ScanOutcome& outcome) {
-    if (outcome.drop) {
-      log_.warn(toString(*outcome.drop), "Dropped a cloud, " + outcome.message);
-      return;
-    }
-    diagnostics_.noteScan(outcome.report, ros::Time::now().toSec() - cloud.header.stamp.toSec());
-    reports_.publish(outcome.report);
+    const auto answer = [&answerer](const auto& request) { return answerer.answer(request); };
+    services_.push_back(atom_mapping::serve<Service>(private_node_, name, answer, log_));
   }
 
   ros::NodeHandle node_;
@@ -79,32 +51,17 @@ class MappingNode {
   tf2::BufferCore transforms_;
   MapQueries queries_;
   SurfaceService surface_;
-  NodeDiagnostics diagnostics_;
-  ros::Publisher reports_;
+  ScanReporter reporter_;
   MapPublisher publisher_;
   ScanInput input_;
   std::vector<ros::ServiceServer> services_;
   tf2_ros::TransformListener listener_{transforms_};  // stops first: it calls what waits for transforms
 };
 
-int run() {
-  const Parameters parameters = readNodeParameters();
-  const MappingNode node(parameters);
-  ros::AsyncSpinner spinner(kServiceThreads);
-  spinner.start();
-  ros::waitForShutdown();
-  return 0;
-}
-
 }  // namespace
 }  // namespace atom_mapping
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "atom_mapping");
-  try {
-    return atom_mapping::run();
-  } catch (const std::invalid_argument& fault) {
-    ROS_FATAL_STREAM("Cannot start, these parameters are wrong:\n" << fault.what());
-    return 1;
-  }
+  return atom_mapping::runNode<atom_mapping::MappingNode>(atom_mapping::readParameters);
 }

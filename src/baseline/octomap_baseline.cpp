@@ -8,16 +8,17 @@
 namespace atom_map {
 namespace {
 
-octomap::point3d toOctomap(const Eigen::Vector3d& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 // Of a block of so many bytes: with its header, in steps of 16, four words at least.
 constexpr std::size_t allocated(std::size_t size) {
   return std::max<std::size_t>(32, (size + sizeof(std::size_t) + 15) / 16 * 16);
 }
 
 }  // namespace
+
+octomap::point3d toOctomap(const Eigen::Vector3d& point) {
+  const Eigen::Vector3f p = point.cast<float>();
+  return {p.x(), p.y(), p.z()};
+}
 
 double equalVolumeVoxel(double radius) {
   return radius * std::cbrt(4.0 * kPi / 3.0);
@@ -50,12 +51,16 @@ std::size_t OctomapBaseline::insertScan(const std::vector<Eigen::Vector3f>& retu
   return cloud.size();
 }
 
-Occupancy OctomapBaseline::classify(const Eigen::Vector3d& point) const {
+std::optional<float> OctomapBaseline::logOdds(const Eigen::Vector3d& point) const {
   octomap::OcTreeKey key;
-  if (!tree_.coordToKeyChecked(toOctomap(point), key)) return Occupancy::kUnknown;
-  const octomap::OcTreeNode* node = tree_.search(key);
-  if (node == nullptr) return Occupancy::kUnknown;
-  return tree_.isNodeOccupied(node) ? Occupancy::kOccupied : Occupancy::kFree;
+  if (!tree_.coordToKeyChecked(toOctomap(point), key)) return std::nullopt;
+  const octomap::OcTreeNode* const node = tree_.search(key);
+  if (node == nullptr) return std::nullopt;
+  return node->getLogOdds();
+}
+
+Occupancy OctomapBaseline::classify(const Eigen::Vector3d& point) const {
+  return atom_map::classify(logOdds(point));
 }
 
 std::size_t OctomapBaseline::bytes() const {

@@ -4,9 +4,8 @@
 
 #include "atom_mapping/query/cast_ray.h"
 #include "atom_mapping/query/collision.h"
+#include "atom_mapping/ros/answer_request.h"
 #include "atom_mapping/ros/check_request.h"
-#include "atom_mapping/ros/frame_name.h"
-#include "atom_mapping/ros/pose_conversion.h"
 
 namespace atom_mapping {
 namespace {
@@ -21,29 +20,6 @@ geometry_msgs::Point toPoint(const Vector3d& p) {
   point.y = p.y();
   point.z = p.z();
   return point;
-}
-
-// Answers a request by `fill`, or by what was wrong with it.
-template <class Response, class Fill>
-Response answered(Fill&& fill) {
-  Response response;
-  std::string fault;
-  try {
-    fill(response);
-    response.success = 1;
-    return response;
-  } catch (const Refusal& refusal) {
-    fault = refusal.what();
-  } catch (const BadTransform& exception) {
-    fault = std::string("tf's transform from frame_id to the map frame is bad: ") + exception.what();
-  } catch (const std::runtime_error& exception) {  // tf2::TransformException, and of stamps too far apart to subtract
-    fault = std::string("frame_id cannot be brought to the map frame: ") + exception.what() +
-            "; name a frame that tf knows, or leave it empty for the map frame";
-  }
-  Response refused;
-  refused.success = 0;
-  refused.message = fault;
-  return refused;
 }
 
 }  // namespace
@@ -70,10 +46,7 @@ ClearRegion::Response MapQueries::answer(const ClearRegion::Request& request) {
 
 std_srvs::Trigger::Response MapQueries::reset() {
   server_.reset();
-  std_srvs::Trigger::Response response;
-  response.success = 1;
-  response.message = "the map is empty";
-  return response;
+  return resetDone();
 }
 
 void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Response& response) const {
@@ -85,10 +58,7 @@ void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Re
   std::vector<Vector3d> centers;
   for (std::size_t i = 0; i < size; ++i) {
     centers.push_back(to_map * checkedPoint(element("centers", i), request.centers[i]));
-    if (checkedLength(element("radii", i), request.radii[i]) > largest && request.unknown_is_free == 0) {
-      throw Refusal(element("radii", i) + " is " + std::to_string(request.radii[i]) + " m; it must be at most " +
-                    std::to_string(largest) + " m, unless unknown_is_free is set");
-    }
+    checkedSphere(element("radii", i), request.radii[i], largest, request.unknown_is_free != 0);
   }
   for (std::size_t i = 0; i < size; ++i) {
     response.collides.push_back(static_cast<std::uint8_t>(server_.read([&](const AtomMap& map) {
@@ -129,16 +99,11 @@ void MapQueries::fill(const ClearRegion::Request& request, ClearRegion::Response
 }
 
 void MapQueries::checkSize(const char* array, std::size_t size) const {
-  if (size <= parameters_.max_points) return;
-  throw Refusal(std::string(array) + " has " + std::to_string(size) + " elements; services/max_points permits " +
-                std::to_string(parameters_.max_points) + ": ask in several requests");
+  atom_mapping::checkSize(array, size, parameters_.max_points);
 }
 
-// From a request's frame, as tf knows it last.
 atom_map::Pose MapQueries::toMap(const std::string& frame) const {
-  const std::string name = withoutSlash(frame);
-  if (name.empty() || name == server_.mapFrame()) return atom_map::Pose::Identity();
-  return toPose(transforms_.lookupTransform(server_.mapFrame(), name, ros::Time()).transform);
+  return toMapFrame(transforms_, server_.mapFrame(), frame);
 }
 
 }  // namespace atom_mapping

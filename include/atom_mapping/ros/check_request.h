@@ -28,6 +28,9 @@ Eigen::Vector3d checkedDirection(const std::string& where, const geometry_msgs::
 // Finite and not negative.
 float checkedLength(const std::string& where, float length);
 
+// A sphere's radius: as checkedLength and, unless unknown is free, at most `largest`.
+float checkedSphere(const std::string& where, float radius, float largest, bool unknown_is_free);
+
 void checkEqualSizes(const char* a, std::size_t size_a, const char* b, std::size_t size_b);
 
 }  // namespace atom_mapping
