@@ -41,4 +41,4 @@ target_link_libraries(atom_map_baseline PUBLIC atom_map atom_map_io ${OCTOMAP_LI
 
 # evaluation: maps side by side on the same scans, and how they are judged
 add_library(atom_map_evaluation ${evaluation_sources})
-target_link_libraries(atom_map_evaluation PUBLIC atom_map_baseline atom_map_sim)
+target_link_libraries(atom_map_evaluation PUBLIC atom_map_baseline atom_map_io atom_map_sim)

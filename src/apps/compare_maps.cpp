@@ -4,14 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "atom_mapping/baseline/octomap_baseline.h"
 #include "atom_mapping/evaluation/comparison.h"
+#include "atom_mapping/io/write_file.h"
 #include "atom_mapping/ros/bag_progress.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/cloud_server.h"
@@ -113,20 +112,6 @@ void mapBag(const Options& options, ContestServer& server) {
   }
 }
 
-void print(const Contest& contest, const std::vector<MapFigures>& figures) {
-  std::printf("\nr = %g m, voxels of %.3g m, %zu scans\n", contest.radius, contest.voxel, contest.comparison.scans());
-  std::printf("%-22s %7s %7s %7s %7s %9s %8s %7s %7s %9s %8s %8s\n", "map", "ms", "median", "95 %", "cpu ms", "bytes",
-              "units", "B/unit", "free", "occupied", "unknown", "surface");
-  for (const MapFigures& f : figures) {
-    const atom_map::Coverage& c = f.coverage;
-    std::printf("%-22s %7.2f %7.2f %7.2f %7.2f %9zu %8zu %7.1f %7.4f %9.4f %8.4f %8.4f\n", f.name.c_str(),
-                f.milliseconds.mean, f.milliseconds.median, f.milliseconds.p95, f.cpu_milliseconds,
-                static_cast<std::size_t>(f.bytes), static_cast<std::size_t>(f.units),
-                static_cast<double>(f.bytes) / static_cast<double>(std::max<std::uint64_t>(f.units, 1)), c.free.value(),
-                c.false_occupied.value(), c.unknown.value(), c.surface.value());
-  }
-}
-
 nlohmann::ordered_json toJson(const Options& options, const MappingParameters& parameters, const Contest& contest,
                               const std::vector<MapFigures>& figures) {
   nlohmann::ordered_json maps;
@@ -141,6 +126,7 @@ nlohmann::ordered_json toJson(const Options& options, const MappingParameters& p
 
 void run(Options options) {
   const MappingParameters parameters = makeParameters(options);
+  if (!options.json.empty()) atom_map::checkWritable(options.json);
   if (options.radii.empty()) options.radii.push_back(parameters.radius);
   std::vector<Contest> contests;
   for (const double radius : options.radii) contests.push_back(makeContest(parameters, radius, options));
@@ -150,13 +136,12 @@ void run(Options options) {
   nlohmann::ordered_json all;
   for (Contest& contest : contests) {
     const std::vector<MapFigures> figures = contest.comparison.finish(server.rays(), contest.radius);
-    print(contest, figures);
+    std::cout << "\nr = " << contest.radius << " m, voxels of " << contest.voxel << " m, " << contest.comparison.scans()
+              << " scans\n"
+              << atom_map::toTable(figures) << std::flush;
     all.push_back(toJson(options, parameters, contest, figures));
   }
-  if (options.json.empty()) return;
-  std::ofstream out(options.json);
-  out << (all.size() == 1 ? all.front() : all).dump(2) << std::endl;
-  if (!out) throw std::runtime_error("cannot write " + options.json);
+  if (!options.json.empty()) atom_map::writeFigures(all, options.json);
 }
 
 int fail(const std::string& message) {

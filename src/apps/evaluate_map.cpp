@@ -3,15 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "atom_mapping/evaluation/compared_map.h"
 #include "atom_mapping/evaluation/heap_in_use.h"
+#include "atom_mapping/evaluation/map_figures.h"
 #include "atom_mapping/evaluation/recorded_drive.h"
 #include "atom_mapping/evaluation/surface_quality.h"
+#include "atom_mapping/io/write_file.h"
 #include "atom_mapping/sim/make_scene.h"
 
 namespace {
@@ -148,6 +149,7 @@ ordered_json judgeSlope(double slope, double radius, const Options& options) {
 }
 
 void run(const Options& options) {
+  if (!options.json.empty()) atom_map::checkWritable(options.json);
   ordered_json all;
   if (options.slopes.empty()) {
     const Scene scene = atom_map::makeScene(options.scene);
@@ -160,10 +162,7 @@ void run(const Options& options) {
       for (const double slope : options.slopes) all.push_back(judgeSlope(slope, radius, options));
     }
   }
-  if (options.json.empty()) return;
-  std::ofstream out(options.json);
-  out << (all.size() == 1 ? all.front() : all).dump(2) << std::endl;
-  if (!out) throw std::runtime_error("cannot write " + options.json);
+  if (!options.json.empty()) atom_map::writeFigures(all, options.json);
 }
 
 }  // namespace

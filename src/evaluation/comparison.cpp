@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
 #include "atom_mapping/base/timed.h"
 #include "atom_mapping/evaluation/heap_in_use.h"
@@ -21,27 +20,6 @@ void add(const ScanReport::Seconds& more, ScanReport::Seconds& sum) {
 }
 
 }  // namespace
-
-nlohmann::ordered_json toJson(const MapFigures& figures) {
-  const double per_scan = 1e3 / static_cast<double>(std::max<std::uint64_t>(figures.scans, 1));
-  const ScanReport::Seconds& stages = figures.stages;
-  const Spread& time = figures.milliseconds;
-  return {{"name", figures.name},
-          {"ms_per_scan", {{"mean", time.mean}, {"median", time.median}, {"p95", time.p95}}},
-          {"cpu_ms_per_scan", figures.cpu_milliseconds},
-          {"stages",
-           {{"filter", per_scan * stages.filter},
-            {"normals", per_scan * stages.normals},
-            {"rays", per_scan * stages.rays},
-            {"candidate_filter", per_scan * stages.candidate_filter},
-            {"merge", per_scan * stages.merge}}},
-          {"bytes", figures.bytes},
-          {"units", figures.units},
-          {"free", figures.coverage.free.value()},
-          {"false_occupied", figures.coverage.false_occupied.value()},
-          {"unknown", figures.coverage.unknown.value()},
-          {"surface", figures.coverage.surface.value()}};
-}
 
 Comparison::Comparison(std::vector<ComparedMap> maps) {
   for (ComparedMap& map : maps) entries_.push_back({std::move(map), {}, {}});
