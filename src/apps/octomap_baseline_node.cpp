@@ -25,9 +25,10 @@ class BaselineNode {
         publisher_(server_, parameters.node.publish.period, [this] { return takeSnapshot(server_); }),
         input_(node_, server_, transforms_, parameters.node.input,
                [this](const auto& cloud, const ScanOutcome& outcome) { reporter_.report(cloud, outcome); }) {
-    services_ = {serve<QueryOccupancy>(private_node_, "query_occupancy", queries_, log_),
-                 serve<CheckCollision>(private_node_, "check_collision", queries_, log_),
-                 serve<MapFile>(private_node_, "save_map", queries_, log_), serveReset(private_node_, queries_)};
+    const auto answer = [this](const auto& request) { return queries_.answer(request); };
+    services_ = {serve<QueryOccupancy>(private_node_, "query_occupancy", answer, log_),
+                 serve<CheckCollision>(private_node_, "check_collision", answer, log_),
+                 serve<MapFile>(private_node_, "save_map", answer, log_), serveReset(private_node_, queries_)};
     publisher_.advertise<visualization_msgs::MarkerArray>(private_node_, "occupied_cells_vis_array", toMarkers);
     publisher_.advertise<sensor_msgs::PointCloud2>(private_node_, "octomap_point_cloud_centers", toCenters);
     publisher_.start();

@@ -38,12 +38,15 @@ MapFile::Response BaselineQueries::answer(const MapFile::Request& request) const
 
 std_srvs::Trigger::Response BaselineQueries::reset() {
   server_.reset();
-  return resetDone();
+  std_srvs::Trigger::Response response;
+  response.success = 1;
+  response.message = "the map is empty";
+  return response;
 }
 
 void BaselineQueries::fill(const QueryOccupancy::Request& request, QueryOccupancy::Response& response) const {
   checkSize("points", request.points.size(), parameters_.max_points);
-  const atom_map::Pose to_map = toMapFrame(transforms_, server_.mapFrame(), request.frame_id);
+  const atom_map::Pose to_map = toMapFrame(request.frame_id, transforms_, server_.mapFrame());
   for (std::size_t i = 0; i < request.points.size(); ++i) {
     const Vector3d point = to_map * checkedPoint(element("points", i), request.points[i]);
     const auto log_odds = server_.read([&](const OctomapBaseline& map) { return map.logOdds(point); });
@@ -59,7 +62,7 @@ void BaselineQueries::fill(const CheckCollision::Request& request, CheckCollisio
   const double resolution = server_.read([](const OctomapBaseline& map) { return map.tree().getResolution(); });
   const float largest = kLargestSphere * static_cast<float>(resolution);
   const bool unknown_is_free = request.unknown_is_free != 0;
-  const atom_map::Pose to_map = toMapFrame(transforms_, server_.mapFrame(), request.frame_id);
+  const atom_map::Pose to_map = toMapFrame(request.frame_id, transforms_, server_.mapFrame());
   for (std::size_t i = 0; i < size; ++i) {
     const Vector3d center = to_map * checkedPoint(element("centers", i), request.centers[i]);
     const float radius = checkedSphere(element("radii", i), request.radii[i], largest, unknown_is_free);

@@ -50,6 +50,11 @@ float checkedSphere(const std::string& where, float radius, float largest, bool 
   return radius;
 }
 
+void checkSize(const char* array, std::size_t size, std::size_t max_points) {
+  if (size <= max_points) return;
+  refuse(array, " has ", size, " elements; services/max_points permits ", max_points, ": ask in several requests");
+}
+
 void checkEqualSizes(const char* a, std::size_t size_a, const char* b, std::size_t size_b) {
   if (size_a != size_b) {
     refuse(a, " has ", size_a, " elements and ", b, " has ", size_b, "; they must have equally many");

@@ -1,7 +1,5 @@
 #include "atom_mapping/ros/map_queries.h"
 
-#include <stdexcept>
-
 #include "atom_mapping/query/cast_ray.h"
 #include "atom_mapping/query/collision.h"
 #include "atom_mapping/ros/answer_request.h"
@@ -46,7 +44,10 @@ ClearRegion::Response MapQueries::answer(const ClearRegion::Request& request) {
 
 std_srvs::Trigger::Response MapQueries::reset() {
   server_.reset();
-  return resetDone();
+  std_srvs::Trigger::Response response;
+  response.success = 1;
+  response.message = "the map is empty";
+  return response;
 }
 
 void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Response& response) const {
@@ -103,7 +104,7 @@ void MapQueries::checkSize(const char* array, std::size_t size) const {
 }
 
 atom_map::Pose MapQueries::toMap(const std::string& frame) const {
-  return toMapFrame(transforms_, server_.mapFrame(), frame);
+  return toMapFrame(frame, transforms_, server_.mapFrame());
 }
 
 }  // namespace atom_mapping

@@ -1,4 +1,4 @@
-// Services of a node's `~`, answered by the answer() and reset() of MapQueries or BaselineQueries.
+// Services of a node's `~`.
 #pragma once
 
 #include <ros/ros.h>
@@ -10,17 +10,18 @@
 
 namespace atom_mapping {
 
-// Refused requests go to the log. What is passed must live as long as the server that is returned.
-template <class Service, class Queries>
-ros::ServiceServer serve(ros::NodeHandle& private_node, const std::string& name, Queries& queries, ThrottledLog& log) {
+// Answers by answer(request); a refusal goes to the log, which must live as long as what is returned.
+template <class Service, class Answer>
+ros::ServiceServer serve(ros::NodeHandle& private_node, const std::string& name, Answer answer, ThrottledLog& log) {
   return private_node.advertiseService<typename Service::Request, typename Service::Response>(
-      name, [name, &queries, &log](auto& request, auto& response) {
-        response = queries.answer(request);
+      name, [name, answer, &log](auto& request, auto& response) {
+        response = answer(request);
         if (!response.success) log.warn(name, "Refused a request of ~" + name + ": " + response.message);
         return true;
       });
 }
 
+// Answers ~reset by queries.reset(); `queries` must live as long as what is returned.
 template <class Queries>
 ros::ServiceServer serveReset(ros::NodeHandle& private_node, Queries& queries) {
   return private_node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
