@@ -14,7 +14,7 @@ namespace atom_map {
 struct ComparedMap {
   std::string name;  // atom_occupancy, atom_signed_distance or octomap
   std::function<ScanReport(const LidarScan&, const Pose&)> insert_scan;
-  AskOccupancy ask;
+  AskOccupancy ask;                      // as ~query_occupancy answers; from one thread at a time
   std::function<std::uint64_t()> units;  // atoms, or leaves of the octree
   std::function<void()> release;         // empties it and gives back the memory that it held
 };
