@@ -42,3 +42,7 @@ target_link_libraries(atom_map_sim PUBLIC atom_map)
 # baseline: OctoMap, for comparison
 add_library(atom_map_baseline ${baseline_sources})
 target_link_libraries(atom_map_baseline PUBLIC atom_map atom_map_io ${OCTOMAP_LIBRARIES})
+
+# evaluation: maps side by side on the same scans, and how they are judged
+add_library(atom_map_evaluation ${evaluation_sources})
+target_link_libraries(atom_map_evaluation PUBLIC atom_map_baseline atom_map_io atom_map_sim)

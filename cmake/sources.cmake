@@ -4,10 +4,11 @@ file(GLOB io_sources CONFIGURE_DEPENDS src/surface/*.cpp src/io/*.cpp)
 file(GLOB picture_sources CONFIGURE_DEPENDS src/io/picture/*.cpp)
 file(GLOB sim_sources CONFIGURE_DEPENDS src/sim/*.cpp)
 file(GLOB baseline_sources CONFIGURE_DEPENDS src/baseline/*.cpp)
+file(GLOB evaluation_sources CONFIGURE_DEPENDS src/evaluation/*.cpp)
 file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
 file(GLOB program_sources CONFIGURE_DEPENDS src/apps/*.cpp)
 
-set(ATOM_MAPPING_CORE_LIBRARIES atom_map_baseline atom_map_io atom_map_sim atom_map)
+set(ATOM_MAPPING_CORE_LIBRARIES atom_map_evaluation atom_map_baseline atom_map_io atom_map_sim atom_map)
 set(ATOM_MAPPING_EXPORTED_LIBRARIES ${PROJECT_NAME}_ros ${ATOM_MAPPING_CORE_LIBRARIES})
 # Pictures need VTK 9, which Ubuntu 20.04 lacks. Not exported: see src/io/picture/headless_gl.cpp.
 find_package(VTK 9 QUIET COMPONENTS

@@ -1,6 +1,5 @@
 // Maps a bag at full speed, as atom_mapping_node would map it live. Needs no roscore.
 #include <unistd.h>
-#include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -51,19 +50,9 @@ void addOptions(CLI::App& app, Options& options) {
                  "Write the atoms to a .ply, .pcd or .csv, or the space to OctoMap's .bt; may be given several times");
 }
 
-atom_mapping::ParameterValues readConfig(const std::string& file) {
-  try {
-    return atom_mapping::flatten(YAML::LoadFile(file));
-  } catch (const YAML::BadFile&) {
-    throw std::invalid_argument("cannot open --config " + file);
-  } catch (const std::exception& error) {
-    throw std::invalid_argument("--config " + file + ": " + error.what());
-  }
-}
-
 atom_map::MappingParameters makeParameters(const Options& options) {
   atom_mapping::ParameterValues values;
-  if (!options.config.empty()) values = readConfig(options.config);
+  if (!options.config.empty()) values = atom_mapping::readParameterFile(options.config);
   if (options.radius) values["radius"] = *options.radius;
   if (options.mode) values["mode"] = *options.mode;
   return atom_mapping::readParameters(values).mapping;

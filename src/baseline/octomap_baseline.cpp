@@ -1,5 +1,6 @@
 #include "atom_mapping/baseline/octomap_baseline.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "atom_mapping/base/angles.h"
@@ -7,11 +8,17 @@
 namespace atom_map {
 namespace {
 
-octomap::point3d toOctomap(const Eigen::Vector3d& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+// Of a block of so many bytes: with its header, in steps of 16, four words at least.
+constexpr std::size_t allocated(std::size_t size) {
+  return std::max<std::size_t>(32, (size + sizeof(std::size_t) + 15) / 16 * 16);
 }
 
 }  // namespace
+
+octomap::point3d toOctomap(const Eigen::Vector3d& point) {
+  const Eigen::Vector3f p = point.cast<float>();
+  return {p.x(), p.y(), p.z()};
+}
 
 double equalVolumeVoxel(double radius) {
   return radius * std::cbrt(4.0 * kPi / 3.0);
@@ -19,22 +26,47 @@ double equalVolumeVoxel(double radius) {
 
 OctomapBaseline::OctomapBaseline(double resolution, bool prune) : tree_(resolution), prune_(prune) {}
 
-void OctomapBaseline::insertScan(const std::vector<Eigen::Vector3f>& returns, const Pose& sensor) {
+std::size_t OctomapBaseline::insertScan(const std::vector<Eigen::Vector3f>& returns, const Pose& sensor,
+                                        double max_range) {
+  // OctoMap itself writes a warning to the terminal for each ray that leaves the tree.
+  const auto is_inside = [this](const octomap::point3d& point) {
+    octomap::OcTreeKey key;
+    return tree_.coordToKeyChecked(point, key);
+  };
+  const octomap::point3d origin = toOctomap(sensor.translation());
+  if (!is_inside(origin)) return 0;
   octomap::Pointcloud cloud;
   cloud.reserve(returns.size());
-  for (const Eigen::Vector3f& point : returns) cloud.push_back(toOctomap(sensor * point.cast<double>()));
+  for (const Eigen::Vector3f& point : returns) {
+    const octomap::point3d end = toOctomap(sensor * point.cast<double>());
+    if (is_inside(end)) cloud.push_back(end);
+  }
   // Lazy: OctoMap joins equal children in an eager update, whatever it is told, and is slower.
   constexpr bool kLazy = true;
-  tree_.insertPointCloud(cloud, toOctomap(sensor.translation()), -1.0, kLazy);
-  if (!prune_) return;
-  tree_.updateInnerOccupancy();
-  tree_.prune();
+  tree_.insertPointCloud(cloud, origin, max_range, kLazy);
+  if (prune_) {
+    tree_.updateInnerOccupancy();
+    tree_.prune();
+  }
+  return cloud.size();
+}
+
+std::optional<float> OctomapBaseline::logOdds(const Eigen::Vector3d& point) const {
+  octomap::OcTreeKey key;
+  if (!tree_.coordToKeyChecked(toOctomap(point), key)) return std::nullopt;
+  const octomap::OcTreeNode* const node = tree_.search(key);
+  if (node == nullptr) return std::nullopt;
+  return node->getLogOdds();
 }
 
 Occupancy OctomapBaseline::classify(const Eigen::Vector3d& point) const {
-  const octomap::OcTreeNode* node = tree_.search(toOctomap(point));
-  if (node == nullptr) return Occupancy::kUnknown;
-  return tree_.isNodeOccupied(node) ? Occupancy::kOccupied : Occupancy::kFree;
+  return atom_map::classify(logOdds(point));
+}
+
+std::size_t OctomapBaseline::bytes() const {
+  constexpr std::size_t kChildren = 8 * sizeof(octomap::OcTreeNode*);  // of each inner node, in a block of their own
+  const std::size_t inner_nodes = tree_.size() - tree_.getNumLeafNodes();
+  return tree_.size() * allocated(sizeof(octomap::OcTreeNode)) + inner_nodes * allocated(kChildren);
 }
 
 }  // namespace atom_map

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 
 #include "atom_mapping/base/check_parameters.h"
+#include "atom_mapping/base/timed.h"
 #include "atom_mapping/map/drop_crossing.h"
 #include "atom_mapping/scan/candidate_filter.h"
 #include "atom_mapping/scan/rays.h"
@@ -15,15 +15,6 @@ namespace {
 
 // Merged under one lock: some 0.1 ms, which is what a reader waits for.
 constexpr std::ptrdiff_t kMergeSlice = 512;
-
-// Calls stage() and adds the time that it took.
-template <class Stage>
-auto timed(double& seconds, Stage&& stage) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = stage();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
 
 std::vector<SurfacePoint> transformed(std::vector<SurfacePoint> surface, const Eigen::Isometry3f& pose) {
   for (SurfacePoint& point : surface) {
@@ -46,7 +37,7 @@ Mapper::Mapper(const MappingParameters& parameters)
 // Algorithm 1, lines 5 to 11.
 ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   const std::lock_guard scan_lock(scan_mutex_);
-  Random random(mixBits(parameters_.seed) + scans_++);
+  Random random = randomOfScan(parameters_.seed, scans_++);
   Eigen::Isometry3f pose(sensor.linear().cast<float>());  // sensor frame to the map's local frame
   pose.translation() = write([&](AtomMap& map) {
     map.anchor(sensor.translation());

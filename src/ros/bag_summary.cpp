@@ -1,10 +1,10 @@
 #include "atom_mapping/ros/bag_summary.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <numeric>
 #include <utility>
+
+#include "atom_mapping/base/spread.h"
 
 namespace atom_mapping {
 namespace {
@@ -22,14 +22,6 @@ std::ostream& label(std::ostream& out, const char* text) {
 }
 
 }  // namespace
-
-MeanAndTail meanAndTail(std::vector<double> values) {
-  if (values.empty()) return {};
-  const auto count = static_cast<double>(values.size());
-  const auto tail = values.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
-  std::nth_element(values.begin(), tail, values.end());
-  return {std::accumulate(values.begin(), values.end(), 0.0) / count, *tail};
-}
 
 void BagSummary::add(const ScanOutcome& outcome) {
   if (!outcome.drop) {
@@ -97,8 +89,8 @@ void BagSummary::printTimes(std::ostream& out) const {
                                     {"  total", &ScanReport::seconds_total}}) {
     std::vector<double> times;
     for (const ScanReport& report : reports_) times.push_back(1e3 * static_cast<double>(report.*stage));
-    const MeanAndTail time = meanAndTail(times);
-    label(out, name) << std::setprecision(2) << std::setw(8) << time.mean << std::setw(8) << time.tail << "\n";
+    const atom_map::Spread time = atom_map::spreadOf(times);
+    label(out, name) << std::setprecision(2) << std::setw(8) << time.mean << std::setw(8) << time.p95 << "\n";
   }
 }
 

@@ -43,6 +43,18 @@ float checkedLength(const std::string& where, float length) {
   return length;
 }
 
+float checkedSphere(const std::string& where, float radius, float largest, bool unknown_is_free) {
+  if (checkedLength(where, radius) > largest && !unknown_is_free) {
+    refuse(where, " is ", radius, " m; it must be at most ", largest, " m, unless unknown_is_free is set");
+  }
+  return radius;
+}
+
+void checkSize(const char* array, std::size_t size, std::size_t max_points) {
+  if (size <= max_points) return;
+  refuse(array, " has ", size, " elements; services/max_points permits ", max_points, ": ask in several requests");
+}
+
 void checkEqualSizes(const char* a, std::size_t size_a, const char* b, std::size_t size_b) {
   if (size_a != size_b) {
     refuse(a, " has ", size_a, " elements and ", b, " has ", size_b, "; they must have equally many");

@@ -59,10 +59,7 @@ void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Re
   std::vector<Vector3d> centers;
   for (std::size_t i = 0; i < size; ++i) {
     centers.push_back(to_map * checkedPoint(element("centers", i), request.centers[i]));
-    if (checkedLength(element("radii", i), request.radii[i]) > largest && request.unknown_is_free == 0) {
-      throw Refusal(element("radii", i) + " is " + std::to_string(request.radii[i]) + " m; it must be at most " +
-                    std::to_string(largest) + " m, unless unknown_is_free is set");
-    }
+    checkedSphere(element("radii", i), request.radii[i], largest, request.unknown_is_free != 0);
   }
   for (std::size_t i = 0; i < size; ++i) {
     response.collides.push_back(static_cast<std::uint8_t>(server_.read([&](const AtomMap& map) {
@@ -103,9 +100,7 @@ void MapQueries::fill(const ClearRegion::Request& request, ClearRegion::Response
 }
 
 void MapQueries::checkSize(const char* array, std::size_t size) const {
-  if (size <= parameters_.max_points) return;
-  throw Refusal(std::string(array) + " has " + std::to_string(size) + " elements; services/max_points permits " +
-                std::to_string(parameters_.max_points) + ": ask in several requests");
+  atom_mapping::checkSize(array, size, parameters_.max_points);
 }
 
 atom_map::Pose MapQueries::toMap(const std::string& frame) const {

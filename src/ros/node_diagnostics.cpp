@@ -1,6 +1,7 @@
 #include "atom_mapping/ros/node_diagnostics.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace atom_mapping {
@@ -14,10 +15,32 @@ const char* toString(atom_map::Mode mode) {
 
 }  // namespace
 
-NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ScanServer& server) : server_(server) {
+void describeMap(const ScanServer& server, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const auto [atoms, bytes] =
+      server.read([](const atom_map::AtomMap& map) { return std::make_pair(map.atoms().size(), map.atoms().bytes()); });
+  status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%zu atoms", atoms);
+  status.add("atoms", atoms);
+  status.add("bytes", bytes);
+  status.add("radius (m)", server.parameters().radius);
+  status.add("mode", toString(server.parameters().mode));
+}
+
+void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const auto [leaves, bytes, resolution] = server.read([](const atom_map::OctomapBaseline& map) {
+    return std::make_tuple(map.tree().getNumLeafNodes(), map.bytes(), map.tree().getResolution());
+  });
+  status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%zu leaves", leaves);
+  status.add("leaves", leaves);
+  status.add("bytes", bytes);
+  status.add("resolution (m)", resolution);
+}
+
+NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const CloudServer& server,
+                                 const DescribeMap& describe_map)
+    : server_(server) {
   updater_.setHardwareID("none");
   updater_.add("scans", this, &NodeDiagnostics::describeScans);
-  updater_.add("map", this, &NodeDiagnostics::describeMap);
+  updater_.add("map", describe_map);
   timer_ = node.createWallTimer(ros::WallDuration(kPeriod), [this](const auto& /*event*/) { updater_.force_update(); });
 }
 
@@ -56,16 +79,6 @@ void NodeDiagnostics::describeScans(Status& status) {
     status.add(std::string("dropped: ") + toString(static_cast<Drop>(i)), counts.dropped[i]);
   }
   status.add("last drop", counts.last_drop);
-}
-
-void NodeDiagnostics::describeMap(Status& status) {
-  const auto [atoms, bytes] = server_.read(
-      [](const atom_map::AtomMap& map) { return std::make_pair(map.atoms().size(), map.atoms().bytes()); });
-  status.summaryf(Status::OK, "%zu atoms", atoms);
-  status.add("atoms", atoms);
-  status.add("bytes", bytes);
-  status.add("radius (m)", server_.parameters().radius);
-  status.add("mode", toString(server_.parameters().mode));
 }
 
 }  // namespace atom_mapping

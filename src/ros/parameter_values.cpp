@@ -96,4 +96,14 @@ ParameterValues flatten(const YAML::Node& root) {
   return flattenTree(root);
 }
 
+ParameterValues readParameterFile(const std::string& file) {
+  try {
+    return flatten(YAML::LoadFile(file));
+  } catch (const YAML::BadFile&) {
+    throw std::invalid_argument("cannot open --config " + file);
+  } catch (const std::exception& error) {
+    throw std::invalid_argument("--config " + file + ": " + error.what());
+  }
+}
+
 }  // namespace atom_mapping

@@ -43,7 +43,8 @@ std::string describe(const Range& range) {
 // Fills the fields that forEachParameter shows it, and remembers what is wrong with their values.
 class Reader {
  public:
-  explicit Reader(const ParameterValues& values) : values_(values) {}
+  // `config`: the file that lists all names.
+  Reader(const ParameterValues& values, const char* config) : values_(values), config_(config) {}
 
   void operator()(const char* name, double& field, const Range& range) {
     if (const auto number = findNumber(name, range, false)) field = *number;
@@ -70,7 +71,7 @@ class Reader {
   std::vector<std::string> faults() const {
     std::vector<std::string> all = faults_;
     for (const auto& [name, value] : values_) {
-      if (known_.count(name) == 0) all.push_back(name + " is no parameter; config/atom_mapping.yaml lists them all");
+      if (known_.count(name) == 0) all.push_back(join(name, " is no parameter; ", config_, " lists them all"));
     }
     return all;
   }
@@ -124,6 +125,7 @@ class Reader {
   }
 
   const ParameterValues& values_;
+  const char* config_;
   std::set<std::string> known_;
   std::vector<std::string> faults_;
 };
@@ -139,18 +141,37 @@ void addFaultsBetween(const Parameters& p, std::vector<std::string>& faults) {
   }
 }
 
+void throwIfAny(const std::vector<std::string>& faults) {
+  std::string message;
+  for (const std::string& fault : faults) message += (message.empty() ? "" : "\n") + fault;
+  if (!message.empty()) throw std::invalid_argument(message);
+}
+
 }  // namespace
 
 Parameters readParameters(const ParameterValues& values) {
   Parameters parameters;
-  Reader reader(values);
+  Reader reader(values, "config/atom_mapping.yaml");
   atom_map::forEachParameter(parameters.mapping, reader);
   forEachNodeParameter(parameters.node, reader);
   std::vector<std::string> faults = reader.faults();
   addFaultsBetween(parameters, faults);
-  std::string message;
-  for (const std::string& fault : faults) message += (message.empty() ? "" : "\n") + fault;
-  if (!message.empty()) throw std::invalid_argument(message);
+  throwIfAny(faults);
+  return parameters;
+}
+
+BaselineParameters readBaselineParameters(const ParameterValues& values) {
+  constexpr double kFinest = 0.01;  // m; OctoMap reaches no farther than 2^15 voxels from its origin
+  BaselineParameters parameters;
+  Reader reader(values, "config/octomap_baseline.yaml");
+  forEachBaselineParameter(parameters, reader);
+  std::vector<std::string> faults = reader.faults();
+  for (const std::string& fault : atom_map::findFaults(parameters.mapping)) faults.push_back(fault);
+  const double resolution = parameters.octomap.resolution;
+  if (resolution > 0.0 && resolution < kFinest) {
+    faults.push_back(join("resolution is ", resolution, "; it must be 0 or at least ", kFinest));
+  }
+  throwIfAny(faults);
   return parameters;
 }
 

@@ -15,7 +15,7 @@ ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
 
 }  // namespace
 
-ScanInput::ScanInput(const ros::NodeHandle& node, ScanServer& server, tf2::BufferCore& transforms,
+ScanInput::ScanInput(const ros::NodeHandle& node, CloudServer& server, tf2::BufferCore& transforms,
                      const InputParameters& parameters, const ScanWorker::Done& done)
     : server_(server),
       transforms_(transforms),

@@ -4,7 +4,7 @@
 
 namespace atom_mapping {
 
-ScanWorker::ScanWorker(ScanServer& server, const tf2::BufferCore& transforms, std::size_t capacity, Done done)
+ScanWorker::ScanWorker(CloudServer& server, const tf2::BufferCore& transforms, std::size_t capacity, Done done)
     : server_(server), transforms_(transforms), capacity_(capacity), done_(std::move(done)), thread_([this] {
         work();
       }) {}

@@ -4,6 +4,19 @@
 
 namespace atom_map {
 
+bool isInRange(const Eigen::Vector3f& point, const ScanParameters& parameters) {
+  const double range = point.cast<double>().norm();
+  return range >= parameters.min_range && range <= parameters.max_range;
+}
+
+void addRays(const LidarScan& scan, const Pose& sensor, const ScanParameters& parameters, std::size_t stride,
+             std::vector<ObservedRay>& rays) {
+  for (std::size_t i = 0; i < scan.points.size(); i += stride) {
+    const Eigen::Vector3f& point = scan.points[i];
+    if (isInRange(point, parameters)) rays.push_back({sensor.translation(), sensor * point.cast<double>(), {}, false});
+  }
+}
+
 Coverage measureCoverage(const std::vector<ObservedRay>& rays, double radius, const AskOccupancy& ask,
                          const AskTrueDistance& true_distance, std::uint64_t seed) {
   Coverage coverage;

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "atom_list.h"
+#include "atom_mapping/evaluation/heap_in_use.h"
 #include "atom_orders.h"
-#include "heap_in_use.h"
 
 namespace atom_map {
 namespace {

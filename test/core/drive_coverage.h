@@ -43,8 +43,7 @@ inline Result mapDrive(const Drive& drive, double radius) {
   for (std::size_t i = 0; i < drive.scans.size(); ++i) report = mapper.insertScan(drive.scans[i], drive.poses[i]);
   const Coverage coverage = mapper.read([&](const AtomMap& map) {
     return measureCoverage(
-        raysOf(drive), radius,
-        [&](const Eigen::Vector3d& point) { return classify(interpolate(map, map.toLocal(point))); },
+        raysOf(drive), radius, [&](const Eigen::Vector3d& point) { return classify(map, point); },
         [&](const Eigen::Vector3d& point) { return drive.scene.signedDistance(point); }, 7);
   });
   std::printf("%-7s r %.2f: free %.4f, falsely occupied %.4f, unknown %.4f, surface %.4f, thin %.4f of %llu; ",

@@ -56,6 +56,9 @@ class NodeClient {
     });
   }
 
+  // Nodes that listen to the clouds.
+  std::uint32_t subscribers() const { return clouds_.getNumSubscribers(); }
+
   bool waitForReports(std::size_t count) {
     return waitUntil([&] { return reports.size() >= count; });
   }
@@ -88,14 +91,15 @@ class NodeClient {
     transforms_.publish(message);
   }
 
-  // The answer of a service of the node; fails the test when there is none.
+  // The answer of a service of a node; fails the test when there is none.
   template <class Service>
-  static typename Service::Response call(const std::string& name, const typename Service::Request& request) {
+  static typename Service::Response call(const std::string& name, const typename Service::Request& request,
+                                         const std::string& node = "atom_mapping") {
+    const std::string service = "/" + node + "/" + name;
     typename Service::Response response;
-    EXPECT_TRUE(
-        (ros::service::waitForService("/atom_mapping/" + name, ros::Duration(-1.0)) &&
-         ros::service::call("/atom_mapping/" + name, const_cast<typename Service::Request&>(request), response)))
-        << name << " does not answer";
+    EXPECT_TRUE((ros::service::waitForService(service, ros::Duration(-1.0)) &&
+                 ros::service::call(service, const_cast<typename Service::Request&>(request), response)))
+        << service << " does not answer";
     return response;
   }
 

@@ -9,16 +9,6 @@
 namespace atom_mapping {
 namespace {
 
-TEST(MeanAndTail, OfKnownValues) {
-  std::vector<double> values;
-  for (int i = 100; i > 0; --i) values.push_back(i);
-  EXPECT_DOUBLE_EQ(meanAndTail(values).mean, 50.5);
-  EXPECT_DOUBLE_EQ(meanAndTail(values).tail, 95.0);
-  EXPECT_DOUBLE_EQ(meanAndTail({3.0}).tail, 3.0);
-  EXPECT_DOUBLE_EQ(meanAndTail({1.0, 2.0}).tail, 2.0);
-  EXPECT_DOUBLE_EQ(meanAndTail({}).mean, 0.0);
-}
-
 TEST(DescribeProgress, TimeLeftIsThatOfTheScansToCome) {
   EXPECT_EQ(describeProgress(0, 1000, 1.0), "  0 %  0 of 1000 scans");
   EXPECT_EQ(describeProgress(420, 1000, 60.0), " 42 %  420 of 1000 scans, 1:23 left");

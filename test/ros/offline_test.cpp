@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <std_msgs/String.h>
-#include <sys/wait.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -17,26 +15,12 @@
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/ros/simulated_messages.h"
 #include "atom_mapping/sim/make_scene.h"
+#include "program_runner.h"
 
 namespace atom_mapping {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Result {
-  int exit_code;
-  std::string out;
-  std::string err;
-};
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 ros::Time stampOf(int scan) {
   return ros::Time(1500000000) + ros::Duration(0.1 * scan);
@@ -97,17 +81,12 @@ class Offline : public testing::Test {
     return path(name);
   }
 
-  // Runs the program, with a roscore out of reach.
-  Result run(const std::string& arguments) const {
-    const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "atom_mapping_offline";
-    const std::string command = "ROS_MASTER_URI=http://127.0.0.1:1 " + program.string() + " " + arguments + " >" +
-                                path("out") + " 2>" + path("err");
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path("out")), contents(path("err"))};
+  ProgramResult run(const std::string& arguments) const {
+    return runProgram("atom_mapping_offline", arguments, folder_);
   }
 
   void expectFault(const std::string& arguments, const std::string& message) const {
-    const Result result = run(arguments);
+    const ProgramResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_TRUE(contains(result.err, "atom_mapping_offline: ")) << result.err;
     EXPECT_TRUE(contains(result.err, message)) << arguments << ": " << result.err;
@@ -118,7 +97,7 @@ class Offline : public testing::Test {
 
 TEST_F(Offline, MapsABagAndTellsWhatCameOfIt) {
   const std::string bag = writeBag("five.bag", {});
-  const Result result = run("--bag " + bag + " --export " + path("a.ply") + " --export " + path("a.csv"));
+  const ProgramResult result = run("--bag " + bag + " --export " + path("a.ply") + " --export " + path("a.csv"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   for (const char* part : {"five.bag, /velodyne_points\n", "scans mapped      5 in ", "scans dropped     0\n",
                            "points            ", "\natoms             ", " an atom\n", "\n  merge "}) {
@@ -156,7 +135,7 @@ TEST_F(Offline, TheSameBagGivesTheSameBytes) {
 TEST_F(Offline, ArgumentsOverruleTheConfiguration) {
   const std::string bag = writeBag("five.bag", {});
   const std::string config = writeText("config.yaml", "radius: 0.3\nscan: {max_range: 1.2}\n");
-  Result result = run("--bag " + bag + " --config " + config + " --export " + path("a.ply"));
+  ProgramResult result = run("--bag " + bag + " --config " + config + " --export " + path("a.ply"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(contents(path("a.ply")), "comment radius 0.3\n"));
   EXPECT_TRUE(contains(result.out, "too far"));
@@ -170,7 +149,7 @@ TEST_F(Offline, ArgumentsOverruleTheConfiguration) {
 TEST_F(Offline, TransformsRecordedSecondsLaterStillServe) {
   BagContent late;
   late.transform_delay = 5.0;
-  const Result result = run("--bag " + writeBag("late.bag", late));
+  const ProgramResult result = run("--bag " + writeBag("late.bag", late));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "scans mapped      5 in ")) << result.out;
 }
@@ -178,7 +157,7 @@ TEST_F(Offline, TransformsRecordedSecondsLaterStillServe) {
 TEST_F(Offline, ScansWithoutTransformAreDroppedAndCounted) {
   BagContent part;
   part.first_transform = 2;
-  const Result result = run("--bag " + writeBag("part.bag", part));
+  const ProgramResult result = run("--bag " + writeBag("part.bag", part));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "scans mapped      3 in ")) << result.out;
   EXPECT_TRUE(contains(result.out, "scans dropped     2, no transform 2\n")) << result.out;

@@ -3,43 +3,16 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include "atom_mapping/ros/read_parameters.h"
+#include "print_parameters.h"
 
 namespace atom_mapping {
 namespace {
 
-// What a field holds, as text.
-class Printer {
- public:
-  template <class Number>
-  void operator()(const char* name, const Number& value, const atom_map::Range& /*range*/) {
-    print(name, value);
-  }
-  void operator()(const char* name, const std::string& value) { print(name, value); }
-  void operator()(const char* name, const bool& value) { print(name, value); }
-  template <class Choice>
-  void operator()(const char* name, const Choice& value) {
-    print(name, static_cast<int>(value));
-  }
-
-  std::map<std::string, std::string> texts;
-
- private:
-  template <class Value>
-  void print(const char* name, const Value& value) {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    texts[name] = text.str();
-  }
-};
-
 std::map<std::string, std::string> print(const Parameters& parameters) {
-  Printer printer;
+  ParameterPrinter printer;
   atom_map::forEachParameter(parameters.mapping, printer);
   forEachNodeParameter(parameters.node, printer);
   return printer.texts;

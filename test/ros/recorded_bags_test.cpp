@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "atom_mapping/base/spread.h"
 #include "atom_mapping/query/occupancy.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/bag_summary.h"
@@ -74,18 +75,12 @@ class RecordedBags : public testing::TestWithParam<Recording> {
   void addRays(const sensor_msgs::PointCloud2& cloud, const tf2::BufferCore& transforms) {
     const LidarScan scan = toLidarScan(cloud);
     const Pose pose = toPose(transforms.lookupTransform("map", cloud.header.frame_id, cloud.header.stamp).transform);
-    for (std::size_t i = 0; i < scan.points.size(); i += kRayStride) {
-      const Vector3d point = scan.points[i].cast<double>();
-      const bool is_used = point.norm() > parameters_.scan.min_range && point.norm() < parameters_.scan.max_range;
-      if (is_used) rays_.push_back({pose.translation(), pose * point, std::nullopt, false});
-    }
+    atom_map::addRays(scan, pose, parameters_.scan, kRayStride, rays_);
   }
 
   Coverage coverageOf(const ScanServer& server) const {
     return server.mapper().read([&](const AtomMap& map) {
-      const auto ask = [&](const Vector3d& p) {
-        return atom_map::classify(atom_map::interpolate(map, map.toLocal(p)));
-      };
+      const auto ask = [&](const Vector3d& p) { return atom_map::classify(map, p); };
       return atom_map::measureCoverage(rays_, parameters_.radius, ask, {}, 1);
     });
   }
@@ -115,10 +110,10 @@ TEST_P(RecordedBags, MapAgreesWithItsOwnRays) {
   map(server, [&](const auto&, const ScanOutcome& outcome, const auto&) { ASSERT_FALSE(outcome.drop); });
   const double added = static_cast<double>(atoms() - first_pass) / static_cast<double>(first_pass);
 
-  const MeanAndTail time = meanAndTail(milliseconds);
+  const atom_map::Spread time = atom_map::spreadOf(milliseconds);
   const double period = 1e3 * (stamps.back() - stamps.front()).toSec() / static_cast<double>(stamps.size() - 1);
   std::printf("%-22s %5.2f %5zu %7zu %6.1f %6.1f %9.1f %6.3f %7.3f %8.3f %8.3f %8.1f %%\n", GetParam().name,
-              parameters_.radius, stamps.size(), first_pass, time.mean, time.tail, period / time.mean,
+              parameters_.radius, stamps.size(), first_pass, time.mean, time.p95, period / time.mean,
               coverage.free.value(), coverage.unknown.value(), coverage.false_occupied.value(),
               coverage.surface.value(), 100.0 * added);
   EXPECT_GE(coverage.free.value(), GetParam().free);

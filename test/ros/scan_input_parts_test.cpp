@@ -6,6 +6,7 @@
 #include <future>
 
 #include "atom_mapping/base/random.h"
+#include "atom_mapping/ros/scan_server.h"
 #include "atom_mapping/ros/scan_worker.h"
 #include "atom_mapping/ros/transform_wait.h"
 #include "simulated_input.h"

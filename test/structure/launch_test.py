@@ -68,6 +68,10 @@ class LaunchTest(unittest.TestCase):
     def testNodesBearTheNamesOfTheirServices(self):
         nodes = nodesOf(ROOT / 'launch/atom_mapping.launch')
         self.assertEqual(nodes['atom_mapping'].type, 'atom_mapping_node')
+        nodes = nodesOf(ROOT / 'launch/compare.launch', bag='/tmp/some.bag', radius='0.5', resolution='0.4')
+        self.assertEqual(nodes['atom_mapping'].type, 'atom_mapping_node')
+        self.assertEqual(nodes['octomap_baseline'].type, 'octomap_baseline_node')
+        self.assertEqual(sorted(nodes), ['atom_mapping', 'octomap_baseline', 'player', 'rviz'])
 
     def testYamlFilesLoad(self):
         for path in YAML_FILES:

@@ -11,8 +11,8 @@ import rosunit
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# Folder: its place in the order base < scan < map < query < surface, planning < io < sim, baseline < ros < apps, and the
-# libraries that it may know beside the standard library. `None`: any, ROS and the generated messages too.
+# Folder: its place in the order base < scan < map < query < surface, planning < io < sim, baseline < evaluation < ros < apps,
+# and the libraries that it may know beside the standard library. `None`: any, ROS and the generated messages too.
 PLACES = {
     'base': (0, 'Eigen/'),
     'scan': (1, 'Eigen/ pcl/'),
@@ -23,8 +23,9 @@ PLACES = {
     'io': (5, 'Eigen/ EGL/ hdf5 H5 nlohmann/ pcl/ vtk'),
     'sim': (6, 'Eigen/ nlohmann/'),
     'baseline': (6, 'Eigen/ octomap/'),
-    'ros': (7, None),
-    'apps': (8, None),
+    'evaluation': (7, 'Eigen/ nlohmann/'),
+    'ros': (8, None),
+    'apps': (9, None),
 }
 TESTS_OF_CORE = 'Eigen/ pcl/ vtk hdf5 H5 nlohmann/ octomap/ gtest/ gmock/ rapidcheck sanitizer/'
 

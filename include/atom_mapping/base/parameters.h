@@ -73,6 +73,12 @@ struct PlanningParameters {
   bool shortcut = true;           // whether paths leave the atoms where a straight way is safe and costs less
 };
 
+// OctoMap beside the atom map, fed with the same scans.
+struct OctomapParameters {
+  double resolution = 0.0;  // m, side of a voxel; 0: that of a voxel with the volume of an atom
+  bool prune = false;       // whether equal voxels are joined after each scan (the paper's comparison does not)
+};
+
 struct MappingParameters {
   std::string map_frame = "map";
   Mode mode = Mode::kOccupancy;

@@ -24,4 +24,9 @@ class Random {
   std::uint64_t state_;
 };
 
+// The draws of a map's scan, counted from 0: the same for every map of that seed.
+inline Random randomOfScan(std::uint32_t seed, std::uint64_t scan) {
+  return Random(mixBits(seed) + scan);
+}
+
 }  // namespace atom_map

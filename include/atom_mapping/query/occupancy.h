@@ -16,6 +16,9 @@ std::optional<float> interpolate(const AtomMap& map, const Eigen::Vector3f& poin
 // Free below, occupied from zero on; unknown without a value.
 Occupancy classify(std::optional<float> log_odds);
 
+// Of a point of the map frame, by Eq. (5).
+Occupancy classify(const AtomMap& map, const Eigen::Vector3d& point);
+
 // Of log-odds; 0.5 where unknown. Occupancy mode only.
 float probability(std::optional<float> log_odds);
 

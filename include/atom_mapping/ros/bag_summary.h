@@ -9,13 +9,6 @@
 
 namespace atom_mapping {
 
-// Mean, and the value that 95 % do not exceed; zero without values.
-struct MeanAndTail {
-  double mean = 0.0;
-  double tail = 0.0;
-};
-MeanAndTail meanAndTail(std::vector<double> values);
-
 // What a run over a bag came to.
 class BagSummary {
  public:

@@ -28,6 +28,12 @@ Eigen::Vector3d checkedDirection(const std::string& where, const geometry_msgs::
 // Finite and not negative.
 float checkedLength(const std::string& where, float length);
 
+// A sphere's radius: as checkedLength and, unless unknown is free, at most `largest`.
+float checkedSphere(const std::string& where, float radius, float largest, bool unknown_is_free);
+
+// At most `max_points` elements, as services/max_points permits.
+void checkSize(const char* array, std::size_t size, std::size_t max_points);
+
 void checkEqualSizes(const char* a, std::size_t size_a, const char* b, std::size_t size_b);
 
 }  // namespace atom_mapping

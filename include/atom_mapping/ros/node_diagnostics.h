@@ -4,18 +4,26 @@
 #include <ros/ros.h>
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 
+#include "atom_mapping/ros/baseline_server.h"
 #include "atom_mapping/ros/scan_server.h"
 
 namespace atom_mapping {
+
+// What /diagnostics tells of a map: its size and kind.
+void describeMap(const ScanServer& server, diagnostic_updater::DiagnosticStatusWrapper& status);
+void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 // /diagnostics, once a second of wall time: scan rate, delay, drops by cause, map size.
 // Thread safety: noteScan may be called from any thread.
 class NodeDiagnostics {
  public:
+  using DescribeMap = std::function<void(diagnostic_updater::DiagnosticStatusWrapper&)>;
+
   // Reports are sent from the node's callback queue.
-  NodeDiagnostics(const ros::NodeHandle& node, const ScanServer& server);
+  NodeDiagnostics(const ros::NodeHandle& node, const CloudServer& server, const DescribeMap& describe_map);
 
   // Of each scan that was mapped. `delay`: s from its stamp to its being in the map.
   void noteScan(const ScanReport& report, double delay);
@@ -25,7 +33,6 @@ class NodeDiagnostics {
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
   void describeScans(Status& status);
-  void describeMap(Status& status);
 
   // Since the last report.
   struct Interval {
@@ -35,7 +42,7 @@ class NodeDiagnostics {
     double longest_mapping = 0.0;  // s
   };
 
-  const ScanServer& server_;
+  const CloudServer& server_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
   std::uint64_t dropped_before_ = 0;

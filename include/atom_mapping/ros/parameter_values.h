@@ -28,4 +28,7 @@ using ParameterValues = std::map<std::string, ParameterValue>;
 ParameterValues flatten(const XmlRpc::XmlRpcValue& root);
 ParameterValues flatten(const YAML::Node& root);
 
+// Of a YAML file. Throws std::invalid_argument, with the file's name, where it cannot be read.
+ParameterValues readParameterFile(const std::string& file);
+
 }  // namespace atom_mapping

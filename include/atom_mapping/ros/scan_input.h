@@ -5,8 +5,8 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2/buffer_core.h>
 
+#include "atom_mapping/ros/cloud_server.h"
 #include "atom_mapping/ros/node_parameters.h"
-#include "atom_mapping/ros/scan_server.h"
 #include "atom_mapping/ros/scan_worker.h"
 #include "atom_mapping/ros/time_watch.h"
 #include "atom_mapping/ros/transform_wait.h"
@@ -18,7 +18,7 @@ namespace atom_mapping {
 class ScanInput {
  public:
   // Calls `done`, from either thread, for every cloud that came, mapped or dropped.
-  ScanInput(const ros::NodeHandle& node, ScanServer& server, tf2::BufferCore& transforms,
+  ScanInput(const ros::NodeHandle& node, CloudServer& server, tf2::BufferCore& transforms,
             const InputParameters& parameters, const ScanWorker::Done& done);
   ~ScanInput();
   ScanInput(const ScanInput&) = delete;
@@ -30,7 +30,7 @@ class ScanInput {
   void restartTime(const char* what_went_back);
   void drop(const sensor_msgs::PointCloud2& cloud, Drop cause, const std::string& message);
 
-  ScanServer& server_;
+  CloudServer& server_;
   tf2::BufferCore& transforms_;
   ScanWorker::Done done_;
   ros::CallbackQueue queue_;

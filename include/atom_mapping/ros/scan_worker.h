@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "atom_mapping/ros/scan_server.h"
+#include "atom_mapping/ros/cloud_server.h"
 
 namespace atom_mapping {
 
@@ -21,7 +21,7 @@ class ScanWorker {
   using Done = std::function<void(const sensor_msgs::PointCloud2&, const ScanOutcome&)>;
 
   // Up to `capacity` clouds wait, then the oldest is dropped. Calls `done`, from any thread, for every cloud.
-  ScanWorker(ScanServer& server, const tf2::BufferCore& transforms, std::size_t capacity, Done done);
+  ScanWorker(CloudServer& server, const tf2::BufferCore& transforms, std::size_t capacity, Done done);
   ~ScanWorker();  // waits for the cloud at hand; those that wait are lost
   ScanWorker(const ScanWorker&) = delete;
   ScanWorker& operator=(const ScanWorker&) = delete;
@@ -33,7 +33,7 @@ class ScanWorker {
  private:
   void work();
 
-  ScanServer& server_;
+  CloudServer& server_;
   const tf2::BufferCore& transforms_;
   std::size_t capacity_;
   Done done_;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "atom_mapping/base/parameters.h"
+#include "atom_mapping/base/types.h"
 #include "atom_mapping/query/occupancy.h"
 
 namespace atom_map {
@@ -19,6 +21,13 @@ struct ObservedRay {
   std::optional<Eigen::Vector3d> normal;  // unit, towards free space; where the truth is known
   bool thin = false;                      // a return of a pole or trunk under 0.2 m of radius
 };
+
+// Whether a return lies in the range that maps use; what is not finite does not. `point` in the sensor's frame.
+bool isInRange(const Eigen::Vector3f& point, const ScanParameters& parameters);
+
+// Adds every `stride`-th of a recorded scan's returns, where it is in range. `sensor`: sensor frame to map frame.
+void addRays(const LidarScan& scan, const Pose& sensor, const ScanParameters& parameters, std::size_t stride,
+             std::vector<ObservedRay>& rays);
 
 // Of a point of the map frame.
 using AskOccupancy = std::function<Occupancy(const Eigen::Vector3d&)>;

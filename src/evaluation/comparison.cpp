@@ -1,0 +1,59 @@
+#include "atom_mapping/evaluation/comparison.h"
+
+#include <algorithm>
+#include <ctime>
+
+#include "atom_mapping/base/timed.h"
+#include "atom_mapping/evaluation/heap_in_use.h"
+
+namespace atom_map {
+namespace {
+
+constexpr std::uint64_t kSampleSeed = 7;  // of the points that the maps are asked for
+
+void add(const ScanReport::Seconds& more, ScanReport::Seconds& sum) {
+  sum.filter += more.filter;
+  sum.normals += more.normals;
+  sum.rays += more.rays;
+  sum.candidate_filter += more.candidate_filter;
+  sum.merge += more.merge;
+}
+
+}  // namespace
+
+Comparison::Comparison(std::vector<ComparedMap> maps) {
+  for (ComparedMap& map : maps) entries_.push_back({std::move(map), {}, {}});
+}
+
+void Comparison::insertScan(const LidarScan& scan, const Pose& sensor) {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    insertTimed(scan, sensor, entries_[(scans_ + i) % entries_.size()]);
+  }
+  ++scans_;
+}
+
+void Comparison::insertTimed(const LidarScan& scan, const Pose& sensor, Entry& entry) {
+  double seconds = 0.0;
+  const std::clock_t start = std::clock();
+  const ScanReport report = timed(seconds, [&] { return entry.map.insert_scan(scan, sensor); });
+  entry.figures.cpu_milliseconds += 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  entry.milliseconds.push_back(1e3 * seconds);
+  add(report.seconds, entry.figures.stages);
+}
+
+std::vector<MapFigures> Comparison::finish(const std::vector<ObservedRay>& rays, double radius) {
+  std::vector<MapFigures> all;
+  for (Entry& entry : entries_) {
+    MapFigures& figures = all.emplace_back(entry.figures);
+    figures.name = entry.map.name;
+    figures.milliseconds = spreadOf(entry.milliseconds);
+    figures.scans = scans_;
+    figures.cpu_milliseconds /= static_cast<double>(std::max<std::size_t>(scans_, 1));
+    figures.coverage = measureCoverage(rays, radius, entry.map.ask, {}, kSampleSeed);
+    figures.units = entry.map.units();
+    figures.bytes = heapReleasedBy(entry.map.release);
+  }
+  return all;
+}
+
+}  // namespace atom_map

@@ -1,0 +1,50 @@
+#include "atom_mapping/evaluation/surface_quality.h"
+
+#include <cmath>
+
+#include "atom_mapping/base/random.h"
+
+namespace atom_map {
+namespace {
+
+constexpr std::uint64_t kPoints = 40000;
+
+Eigen::Vector3d drawIn(const Eigen::AlignedBox3d& box, Random& random) {
+  Eigen::Vector3d share;
+  for (double& coordinate : share) coordinate = static_cast<double>(random.uniform());
+  return box.min() + share.cwiseProduct(box.sizes());
+}
+
+}  // namespace
+
+SurfaceQuality measureSurfaceQuality(const Scene& scene, const std::vector<double>& epsilon, const AskOccupancy& ask,
+                                     std::uint64_t seed) {
+  SurfaceQuality quality;
+  Random random(seed);
+  for (const double distance : epsilon) {
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(distance);
+    const Eigen::AlignedBox3d box(scene.bounds().min() - margin, scene.bounds().max() + margin);
+    Share& q = quality.q.emplace_back();
+    Share& f = quality.f.emplace_back();
+    while (q.whole < kPoints || f.whole < kPoints) {
+      const Eigen::Vector3d point = drawIn(box, random);
+      const double depth = scene.signedDistance(point);
+      Share& side = depth > 0.0 ? q : f;
+      if (std::abs(depth) < distance && side.whole < kPoints) side.count(ask(point) == Occupancy::kFree);  // Eq. (13)
+    }
+  }
+  return quality;
+}
+
+double standardError(const Share& share) {
+  if (share.whole == 0) return 0.0;
+  return std::sqrt(share.value() * (1.0 - share.value()) / static_cast<double>(share.whole));
+}
+
+std::vector<double> distancesFromSurface(double radius) {
+  std::vector<double> distances;
+  for (const double radii : {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0}) distances.push_back(radii * radius);
+  return distances;
+}
+
+}  // namespace atom_map

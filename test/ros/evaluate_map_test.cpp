@@ -1,0 +1,81 @@
+// The program evaluate_map, started as a user would.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program_runner.h"
+
+namespace atom_mapping {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class EvaluateMap : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  json evaluate(const std::string& arguments) const {
+    const std::string file = (folder_ / "figures.json").string();
+    const auto result = runProgram("evaluate_map", "--json " + file + " " + arguments, folder_);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::parse(contents(file));
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("evaluate_map_" + std::to_string(getpid()));
+};
+
+TEST_F(EvaluateMap, AClosedSceneHasQualityAtEveryDistance) {
+  const json figures = evaluate("--scene cube_rotated --radius 0.2 --scans 20 --noise 0");
+  EXPECT_EQ(figures.at("scene"), "cube_rotated");
+  EXPECT_EQ(figures.at("radius"), 0.2);
+  const std::size_t distances = figures.at("epsilon").size();
+  EXPECT_EQ(distances, 10U);
+  ASSERT_EQ(figures.at("maps").size(), 3U);
+  for (const json& map : figures.at("maps")) {
+    SCOPED_TRACE(map.at("name").get<std::string>());
+    for (const char* key : {"Q", "F", "Q_error", "F_error"}) ASSERT_EQ(map.at(key).size(), distances) << key;
+    EXPECT_GT(map.at("Q").back(), map.at("Q").front());
+    EXPECT_LE(map.at("F").back(), map.at("F").front());
+    EXPECT_LT(map.at("Q_error").back(), 0.003);
+    EXPECT_GT(map.at("units"), 50);
+    EXPECT_GT(map.at("bytes"), map.at("units"));
+  }
+  const json& atoms = figures.at("maps")[0];
+  const json& voxels = figures.at("maps")[2];
+  EXPECT_EQ(voxels.at("name"), "octomap");
+  for (std::size_t i = 0; i < distances; ++i) EXPECT_GT(atoms.at("Q")[i], voxels.at("Q")[i]);
+}
+
+TEST_F(EvaluateMap, AnOpenSceneHasCoverageOnly) {
+  const json figures = evaluate("--scene hall --radius 1.0 2.0 --scans 2");
+  ASSERT_EQ(figures.size(), 2U);
+  for (const json& map : figures[1].at("maps")) {
+    EXPECT_EQ(map.count("Q"), 0U);
+    EXPECT_NEAR(map.at("free").get<double>() + map.at("false_occupied").get<double>() + map.at("unknown").get<double>(),
+                1.0, 1e-9);
+    EXPECT_GT(map.at("surface"), 0.5);
+    EXPECT_GT(map.at("thin"), 0.3);
+  }
+}
+
+TEST_F(EvaluateMap, AtomsKeepObliqueGround) {
+  const json figures = evaluate("--slope 0 10 --radius 0.25 --scans 10");
+  ASSERT_EQ(figures.size(), 2U);
+  for (const json& slope : figures) {
+    const double atoms = slope.at("maps")[0].at("ground_kept");
+    EXPECT_GE(atoms, 0.97) << slope.at("slope");
+    EXPECT_GT(atoms, slope.at("maps")[2].at("ground_kept"));
+  }
+}
+
+TEST_F(EvaluateMap, SaysWhatIsWrong) {
+  const auto result = runProgram("evaluate_map", "--scene moon", folder_);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(contains(result.err, "evaluate_map: no scene is called 'moon'")) << result.err;
+}
+
+}  // namespace
+}  // namespace atom_mapping
