@@ -4,7 +4,7 @@
 
 #include "atom_mapping/baseline/octomap_mapper.h"
 #include "atom_mapping/map/mapper.h"
-#include "atom_mapping/query/gaussian_process.h"
+#include "atom_mapping/query/occupancy_query.h"
 
 namespace atom_map {
 namespace {
@@ -20,26 +20,17 @@ ComparedMap compared(std::string name, const std::shared_ptr<AnyMapper>& mapper,
           [mapper, units] { return mapper->read(units); }, [mapper] { mapper->reset(); }};
 }
 
-Occupancy classifyBy(GaussianProcess& process, const AtomMap& map, const Eigen::Vector3d& point) {
-  const auto estimate = process.estimate(map.toLocal(point));
-  if (!estimate) return Occupancy::kUnknown;
-  return classify(map.mode() == Mode::kOccupancy ? estimate->value : -estimate->value);
-}
-
 }  // namespace
 
 ComparedMap makeAtomMap(MappingParameters parameters, Mode mode) {
   parameters.mode = mode;
   const auto mapper = std::make_shared<Mapper>(parameters);
-  const auto process = mapper->read([&](const AtomMap& map) {
-    return std::make_shared<GaussianProcess>(map, parameters.gaussian_process);  // the map stays where it is
+  const auto query = mapper->read([&](const AtomMap& map) {
+    return std::make_shared<OccupancyQuery>(map, parameters.gaussian_process);  // the map stays where it is
   });
   return compared(
       mode == Mode::kOccupancy ? "atom_occupancy" : "atom_signed_distance", mapper,
-      [process, by_regression = parameters.gaussian_process.answers_occupancy](const AtomMap& map,
-                                                                               const Eigen::Vector3d& point) {
-        return by_regression ? classifyBy(*process, map, point) : classify(map, point);
-      },
+      [query](const AtomMap& /*map*/, const Eigen::Vector3d& point) { return (*query)(point); },
       [](const AtomMap& map) -> std::uint64_t { return map.atoms().size(); });
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "atom_mapping/query/gaussian_process.h"
-#include "atom_mapping/query/occupancy.h"
+#include "atom_mapping/query/occupancy_query.h"
 #include "atom_mapping/ros/check_request.h"
 #include "atom_mapping/ros/map_queries.h"
 
@@ -16,15 +16,6 @@ using Eigen::Vector3f;
 
 constexpr std::size_t kSlice = 64;  // points asked for at once, some 0.5 ms
 
-// What the map holds at a point as log-odds of occupancy, or as a distance into the solid in signed distance mode.
-std::optional<float> occupancyAt(const AtomMap& map, const Vector3f& point, bool by_regression,
-                                 atom_map::GaussianProcess& process) {
-  if (!by_regression) return atom_map::interpolate(map, point);
-  const auto estimate = process.estimate(point);
-  if (!estimate) return std::nullopt;
-  return map.mode() == atom_map::Mode::kOccupancy ? estimate->value : -estimate->value;
-}
-
 // A signed distance tells on which side of the surface a point lies, and nothing between.
 float probabilityOf(const AtomMap& map, std::optional<float> value) {
   if (map.mode() == atom_map::Mode::kOccupancy || !value) return atom_map::probability(value);
@@ -35,9 +26,8 @@ float probabilityOf(const AtomMap& map, std::optional<float> value) {
 
 void MapQueries::fill(const QueryOccupancy::Request& request, QueryOccupancy::Response& response) const {
   const auto points = checkedPoints(request.points, toMap(request.frame_id));
-  const bool by_regression = server_.parameters().gaussian_process.answers_occupancy;
-  forEachPoint(points, [&](const AtomMap& map, const Vector3f& point, auto& process) {
-    const std::optional<float> value = occupancyAt(map, point, by_regression, process);
+  forEachPoint<atom_map::OccupancyQuery>(points, [&](const AtomMap& map, const Vector3f& point, auto& query) {
+    const std::optional<float> value = query.logOdds(point);
     response.state.push_back(static_cast<std::uint8_t>(atom_map::classify(value)));
     response.probability.push_back(probabilityOf(map, value));
   });
@@ -50,7 +40,7 @@ void MapQueries::fill(const QuerySignedDistance::Request& request, QuerySignedDi
   const atom_map::Pose to_map = toMap(request.frame_id);
   const auto points = checkedPoints(request.points, to_map);
   const Eigen::Matrix3f to_frame = to_map.linear().transpose().cast<float>();
-  forEachPoint(points, [&](const AtomMap& /*map*/, const Vector3f& point, auto& process) {
+  forEachPoint<atom_map::GaussianProcess>(points, [&](const AtomMap& /*map*/, const Vector3f& point, auto& process) {
     const auto estimate = process.estimate(point);
     const Vector3f gradient = estimate ? Vector3f(to_frame * estimate->gradient) : Vector3f::Zero();
     response.known.push_back(static_cast<std::uint8_t>(estimate.has_value()));
@@ -64,14 +54,14 @@ void MapQueries::fill(const QuerySignedDistance::Request& request, QuerySignedDi
   });
 }
 
-// Calls ask(map, point in its local frame, process) for each point, a slice at a time.
-template <class Ask>
+// Calls ask(map, point in its local frame, query) for each point, a slice at a time.
+template <class Query, class Ask>
 void MapQueries::forEachPoint(const std::vector<Vector3d>& points, Ask&& ask) const {
   for (std::size_t begin = 0; begin < points.size(); begin += kSlice) {
     server_.read([&](const AtomMap& map) {
-      atom_map::GaussianProcess process(map, server_.parameters().gaussian_process);
+      Query query(map, server_.parameters().gaussian_process);
       for (std::size_t i = begin; i < std::min(begin + kSlice, points.size()); ++i) {
-        ask(map, map.toLocal(points[i]), process);
+        ask(map, map.toLocal(points[i]), query);
       }
     });
   }

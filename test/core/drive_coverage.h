@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "atom_mapping/map/mapper.h"
+#include "atom_mapping/query/occupancy_query.h"
 #include "atom_mapping/sim/coverage.h"
 #include "simulated.h"
 
@@ -43,7 +44,7 @@ inline Result mapDrive(const Drive& drive, double radius) {
   for (std::size_t i = 0; i < drive.scans.size(); ++i) report = mapper.insertScan(drive.scans[i], drive.poses[i]);
   const Coverage coverage = mapper.read([&](const AtomMap& map) {
     return measureCoverage(
-        raysOf(drive), radius, [&](const Eigen::Vector3d& point) { return classify(map, point); },
+        raysOf(drive), radius, OccupancyQuery(map, parameters.gaussian_process),
         [&](const Eigen::Vector3d& point) { return drive.scene.signedDistance(point); }, 7);
   });
   std::printf("%-7s r %.2f: free %.4f, falsely occupied %.4f, unknown %.4f, surface %.4f, thin %.4f of %llu; ",

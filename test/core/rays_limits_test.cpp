@@ -49,7 +49,7 @@ TEST(RaysWithoutReturn, AreFreedFromTheMaximumRangeToTheSensor) {
     for (std::size_t k = 0; k < candidates.free.size(); ++k) {
       const float range = 25.0F - kRadius * (1.0F + 2.0F * static_cast<float>(k));
       EXPECT_LT((sensor + range * direction - candidates.free[k].center).norm(), kRounding);
-      EXPECT_NEAR(candidates.free[k].value, std::log(0.4 / 0.6), 1e-6);
+      EXPECT_NEAR(candidates.free[k].value, std::log(0.3 / 0.7), 1e-6);
     }
   }
 }

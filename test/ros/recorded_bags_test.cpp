@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "atom_mapping/base/spread.h"
-#include "atom_mapping/query/occupancy.h"
+#include "atom_mapping/query/occupancy_query.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/bag_summary.h"
 #include "atom_mapping/ros/cloud_conversion.h"
@@ -80,7 +80,7 @@ class RecordedBags : public testing::TestWithParam<Recording> {
 
   Coverage coverageOf(const ScanServer& server) const {
     return server.mapper().read([&](const AtomMap& map) {
-      const auto ask = [&](const Vector3d& p) { return atom_map::classify(map, p); };
+      atom_map::OccupancyQuery ask(map, parameters_.gaussian_process);
       return atom_map::measureCoverage(rays_, parameters_.radius, ask, {}, 1);
     });
   }
@@ -125,13 +125,14 @@ TEST_P(RecordedBags, MapAgreesWithItsOwnRays) {
   }
 }
 
+// Through the street things move: what was a surface is free some scans later, and the map follows.
 // The fixed sensors stand among things as near as 0.5 m: at these radii atoms do not fit between, and around the sensor of
 // vlp16_dual_return a single atom decides. At 0.1 m most do.
 INSTANTIATE_TEST_SUITE_P(All, RecordedBags,
-                         testing::Values(Recording{"handheld", 89, 0.5, 0.955, 0.95, 0.01},
-                                         Recording{"handheld", 89, 0.25, 0.975, 0.95, 0.01},
-                                         Recording{"street", 52, 0.5, 0.90, 0.90, 0.01},
-                                         Recording{"street", 52, 0.25, 0.94, 0.88, 0.01},
+                         testing::Values(Recording{"handheld", 89, 0.5, 0.975, 0.97, 0.01},
+                                         Recording{"handheld", 89, 0.25, 0.985, 0.96, 0.01},
+                                         Recording{"street", 52, 0.5, 0.94, 0.88, 0.01},
+                                         Recording{"street", 52, 0.25, 0.96, 0.85, 0.01},
                                          Recording{"vlp16_room", 4, 0.5, 0.58, 0.93, 0.04},
                                          Recording{"vlp16_room", 4, 0.25, 0.80, 0.93, 0.04},
                                          Recording{"vlp16_room", 4, 0.1, 0.93, 0.91, 0.04},

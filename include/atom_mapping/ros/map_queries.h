@@ -37,7 +37,7 @@ class MapQueries {
   void fill(const CheckCollision::Request& request, CheckCollision::Response& response) const;
   void fill(const CastRay::Request& request, CastRay::Response& response) const;
   void fill(const ClearRegion::Request& request, ClearRegion::Response& response) const;
-  template <class Ask>
+  template <class Query, class Ask>
   void forEachPoint(const std::vector<Eigen::Vector3d>& points, Ask&& ask) const;
   std::vector<Eigen::Vector3d> checkedPoints(const std::vector<geometry_msgs::Point>& points,
                                              const atom_map::Pose& to_map) const;
