@@ -17,6 +17,7 @@ if(VTK_FOUND)
   set(surface_vtk VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::CommonMisc VTK::FiltersCore)
   list(APPEND ATOM_MAPPING_CORE_LIBRARIES atom_map_picture)
 else()
+  #catkin_lint: ignore_once shadowed_find
   find_package(VTK REQUIRED COMPONENTS vtkFiltersCore)
   include_directories(SYSTEM ${VTK_INCLUDE_DIRS})
   set(surface_vtk ${VTK_LIBRARIES})
