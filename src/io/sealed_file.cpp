@@ -50,6 +50,14 @@ std::ifstream open(const std::string& file) {
   return in;
 }
 
+// Of the file that is open and not of its name, which may be another's by now. Leaves it behind the seal.
+std::uintmax_t sizeOf(std::ifstream& in) {
+  in.clear();  // of having met the end
+  const auto end = in.seekg(0, std::ios::end).tellg();
+  in.seekg(kSealSize);
+  return static_cast<std::uintmax_t>(end);
+}
+
 }  // namespace
 
 std::string makeSeal(const std::string& content) {
@@ -64,7 +72,7 @@ std::string readSealed(const std::string& file) {
   std::string seal(kSealSize, '\0');
   in.read(seal.data(), kSealSize);
   const std::uintmax_t size = parseSeal(seal);
-  const std::uintmax_t there = std::max<std::uintmax_t>(fs::file_size(file), kSealSize) - kSealSize;
+  const std::uintmax_t there = std::max<std::uintmax_t>(sizeOf(in), kSealSize) - kSealSize;
   if (there != size) {
     fail(std::string(there < size ? "it is cut short: " : "something was added to it: ") + std::to_string(there) +
          " bytes where its seal tells of " + std::to_string(size));
