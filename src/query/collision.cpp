@@ -1,6 +1,7 @@
 #include "atom_mapping/query/collision.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,13 @@ bool reachesUnknown(const AtomMap& map, const Vector3f& center, float radius) {
 
 bool collides(const AtomMap& map, const Vector3f& center, float radius, bool unknown_is_free) {
   return reachesOccupied(map, center, radius) || (!unknown_is_free && reachesUnknown(map, center, radius));
+}
+
+bool collides(const AtomMap& map, GaussianProcess& distances, const Vector3f& center, float radius,
+              bool unknown_is_free) {
+  assert(map.mode() == Mode::kSignedDistance);
+  const auto estimate = distances.estimate(center);
+  return (estimate && estimate->value < radius) || collides(map, center, radius, unknown_is_free);
 }
 
 }  // namespace atom_map

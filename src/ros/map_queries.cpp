@@ -63,7 +63,13 @@ void MapQueries::fill(const CheckCollision::Request& request, CheckCollision::Re
   }
   for (std::size_t i = 0; i < size; ++i) {
     response.collides.push_back(static_cast<std::uint8_t>(server_.read([&](const AtomMap& map) {
-      return atom_map::collides(map, map.toLocal(centers[i]), request.radii[i], request.unknown_is_free != 0);
+      const Vector3f center = map.toLocal(centers[i]);
+      const bool unknown_is_free = request.unknown_is_free != 0;
+      if (map.mode() == atom_map::Mode::kOccupancy) {
+        return atom_map::collides(map, center, request.radii[i], unknown_is_free);
+      }
+      atom_map::GaussianProcess distances(map, server_.parameters().gaussian_process);
+      return atom_map::collides(map, distances, center, request.radii[i], unknown_is_free);
     })));
   }
 }

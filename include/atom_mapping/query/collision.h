@@ -1,6 +1,7 @@
 #pragma once
 
 #include "atom_mapping/map/atom_map.h"
+#include "atom_mapping/query/gaussian_process.h"
 
 namespace atom_map {
 
@@ -14,5 +15,9 @@ namespace atom_map {
 // radius and with the sphere's six poles among them. So a hole that a search misses is narrower than an atom; and a
 // sphere that leaves the map fails at its first points.
 bool collides(const AtomMap& map, const Eigen::Vector3f& center, float radius, bool unknown_is_free);
+
+// The same of a map in signed distance mode, where a regressed distance below the radius is a collision as well.
+bool collides(const AtomMap& map, GaussianProcess& distances, const Eigen::Vector3f& center, float radius,
+              bool unknown_is_free);
 
 }  // namespace atom_map
