@@ -42,10 +42,10 @@ class Lattice {
 
   // Adds the corners that are missing.
   LatticeCell cell(const LatticeIndex& index) {
-    static const std::array<LatticeIndex, 8> offsets{
+    static const std::array<LatticeIndex, 8> kOffsets{
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
     LatticeCell cell{index, {}};
-    for (std::size_t i = 0; i < 8; ++i) cell.corners[i] = node(index + offsets[i]);
+    for (std::size_t i = 0; i < 8; ++i) cell.corners[i] = node(index + kOffsets[i]);
     return cell;
   }
 
