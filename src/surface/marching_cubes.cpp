@@ -42,7 +42,7 @@ vtkNew<vtkUnstructuredGrid> toGrid(const Lattice& lattice, const std::vector<Lat
 SurfaceMesh fromPolyData(vtkPolyData& contour) {
   SurfaceMesh mesh;
   for (vtkIdType i = 0; i < contour.GetNumberOfPoints(); ++i) {
-    mesh.vertices.push_back(Eigen::Map<const Eigen::Vector3d>(contour.GetPoint(i)).cast<float>());
+    mesh.vertices.emplace_back(Eigen::Map<const Eigen::Vector3d>(contour.GetPoint(i)).cast<float>());
   }
   vtkNew<vtkIdList> corners;
   contour.GetPolys()->InitTraversal();

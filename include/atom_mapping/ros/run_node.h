@@ -15,6 +15,7 @@ namespace atom_mapping {
 template <class Node, class Read>
 int runNode(Read&& read) {
   constexpr std::uint32_t kServiceThreads = 4;  // a long plan or extraction leaves some for short questions
+  const ros::NodeHandle keep;  // with the last one the log goes, and a Node that fails to start takes its own along
   try {
     XmlRpc::XmlRpcValue values;
     const bool has_any = ros::param::get(ros::this_node::getName(), values);
