@@ -48,7 +48,7 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   const FilteredScan filtered =  // line 5
       timed(report.seconds.filter, [&] { return filterScan(scan, parameters_.radius, parameters_.scan, random); });
   const std::vector<SurfacePoint> surface = timed(report.seconds.normals, [&] {  // line 6
-    return transformed(estimateSurface(filtered, parameters_.scan, report.normals), pose);
+    return transformed(estimateSurface(filtered, parameters_.radius, parameters_.scan, report.normals), pose);
   });
   parameters_.mode == Mode::kOccupancy  // lines 7 to 11
       ? mergeOccupancy(surface, rotated(scan.no_returns, pose.linear()), pose.translation(), random, report)

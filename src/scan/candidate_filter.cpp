@@ -1,26 +1,32 @@
 #include "atom_mapping/scan/candidate_filter.h"
 
-#include "atom_mapping/base/cell_table.h"
+#include <utility>
+
+#include "atom_mapping/base/cell_set.h"
 
 namespace atom_map {
 namespace {
 
-// The first candidate of each cell that none was taken from yet.
+// The first candidate of each cell that none was taken from yet, block by block.
 template <class AnyCandidate>
-std::vector<AnyCandidate> firstOfEachCell(const std::vector<AnyCandidate>& candidates, CellTable<bool>& taken) {
-  std::vector<AnyCandidate> kept;
-  for (const AnyCandidate& candidate : candidates) {
-    bool& cell = taken.at(candidate.center);
-    if (!cell) kept.push_back(candidate);
-    cell = true;
+std::vector<AnyCandidate> firstOfEachCell(const std::vector<AnyCandidate>& candidates, CellSet& taken) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> kept;  // block and place of each
+  kept.reserve(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (const auto block = taken.insert(candidates[i].center)) kept.emplace_back(*block, i);
   }
-  return kept;
+  std::vector<std::uint32_t> end(taken.blocks() + 1, 0);  // of a block, in the order that is made
+  for (const auto& [block, place] : kept) ++end[block + 1];
+  for (std::size_t block = 1; block < end.size(); ++block) end[block] += end[block - 1];
+  std::vector<AnyCandidate> ordered(kept.size());
+  for (const auto& [block, place] : kept) ordered[end[block]++] = candidates[place];
+  return ordered;
 }
 
 }  // namespace
 
 Candidates filterCandidates(const Candidates& candidates, float cell_size) {
-  CellTable<bool> taken(cell_size, candidates.size());
+  CellSet taken(cell_size);
   Candidates kept;
   kept.proposed = candidates.proposed;
   kept.occupied = firstOfEachCell(candidates.occupied, taken);
@@ -29,7 +35,7 @@ Candidates filterCandidates(const Candidates& candidates, float cell_size) {
 }
 
 DistanceCandidates filterCandidates(const DistanceCandidates& candidates, float cell_size) {
-  CellTable<bool> taken(cell_size, candidates.size());
+  CellSet taken(cell_size);
   DistanceCandidates kept;
   kept.proposed = candidates.proposed;
   kept.behind = firstOfEachCell(candidates.behind, taken);

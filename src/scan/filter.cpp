@@ -45,7 +45,7 @@ void thin(FilteredScan& scan, float cell_size, Random& random) {
     std::uint32_t points = 0;
     std::uint32_t place = 0;  // in kept
   };
-  CellTable<Cell> cells(cell_size, scan.rays.size());
+  CellTable<Cell> cells(cell_size);
   std::vector<std::uint32_t> kept;
   for (const std::uint32_t ray : scan.rays) {
     Cell& cell = cells.at(scan.points[ray]);

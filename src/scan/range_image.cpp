@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "atom_mapping/base/angles.h"
 
@@ -41,30 +41,24 @@ RangeImage::RangeImage(const std::vector<Eigen::Vector3f>& points, double horizo
 
   const auto rows_per_radian = static_cast<float>(1.0 / vertical_resolution);
   const float phase = rowPhase(elevations, rows_per_radian);
-  const int half = static_cast<int>(std::ceil(0.5 * kPi / vertical_resolution)) + 1;
-  rows_ = 2 * half;
   const auto columns_per_radian = static_cast<float>(columns_ / (2.0 * kPi));
-
   pixels_.reserve(points.size());
-  nearest_.assign(static_cast<std::size_t>(rows_) * columns_, -1);
+  first_row_ = std::numeric_limits<int>::max();
+  end_row_ = std::numeric_limits<int>::min();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float azimuth = std::atan2(points[i].y(), points[i].x()) + static_cast<float>(kPi);
-    const int row = half + static_cast<int>(std::floor(elevations[i] * rows_per_radian - phase));
-    const int column = static_cast<int>(azimuth * columns_per_radian) % columns_;
-    pixels_.push_back({row, column});
-    std::int32_t& nearest = nearest_[static_cast<std::size_t>(row) * columns_ + column];
-    if (nearest < 0 || points[i].squaredNorm() < points[static_cast<std::size_t>(nearest)].squaredNorm()) {
-      nearest = static_cast<std::int32_t>(i);
-    }
+    const int row = static_cast<int>(std::floor(elevations[i] * rows_per_radian - phase));
+    pixels_.push_back({row, static_cast<int>(azimuth * columns_per_radian) % columns_});
+    first_row_ = std::min(first_row_, row);
+    end_row_ = std::max(end_row_, row + 1);
   }
-}
-
-std::int32_t RangeImage::at(int row, int column) const {
-  if (row < 0 || row >= rows_) return -1;
-  if (column < 0) column += columns_;
-  if (column >= columns_) column -= columns_;
-  assert(column >= 0 && column < columns_);
-  return nearest_[static_cast<std::size_t>(row) * columns_ + column];
+  if (points.empty()) return;
+  nearest_.resize(static_cast<std::size_t>(end_row_ - first_row_) * columns_);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Return& nearest = nearest_[place(pixels_[i])];
+    if (nearest.index >= 0 && points[i].squaredNorm() >= nearest.point.squaredNorm()) continue;
+    nearest = {points[i], static_cast<std::int32_t>(i)};
+  }
 }
 
 }  // namespace atom_map

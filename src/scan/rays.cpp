@@ -60,11 +60,13 @@ class RayTracer {
  private:
   void traceFree(const Eigen::Vector3f& start, const Eigen::Vector3f& direction, float first, float range,
                  float resolution, Candidates& candidates) {
-    for (float along = first; along < range; along += 2.0F * radius_) {
-      ++candidates.proposed;
-      if (!interleaver_.keep(range - along, resolution)) continue;
+    const float step = 2.0F * radius_;
+    const auto count = static_cast<std::uint32_t>(std::max(0.0F, std::ceil((range - first) / step)));
+    candidates.proposed += count;
+    interleaver_.keepAlong(range - first, step, count, resolution, [&](std::uint32_t i) {
+      const float along = first + static_cast<float>(i) * step;
       candidates.free.push_back({start + along * direction, miss_});
-    }
+    });
   }
 
   Eigen::Vector3f sensor_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -42,7 +43,12 @@ Candidates drawCandidates(std::uint64_t seed, int occupied, int free, float half
   return candidates;
 }
 
-bool isSame(const std::vector<Candidate>& a, const std::vector<Candidate>& b) {
+// In any order.
+bool isSame(std::vector<Candidate> a, std::vector<Candidate> b) {
+  for (auto* candidates : {&a, &b}) {
+    std::sort(candidates->begin(), candidates->end(),
+              [](const Candidate& x, const Candidate& y) { return cellOf(x) < cellOf(y); });
+  }
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Candidate& x, const Candidate& y) { return x.center == y.center && x.value == y.value; });
 }

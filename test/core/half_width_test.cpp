@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "atom_mapping/scan/filter.h"
 #include "simulated.h"
 
 namespace atom_map {
@@ -30,7 +31,7 @@ Widths measure(std::vector<Solid> solids, double noise = 0.02, double dropout = 
   Widths widths;
   for (std::uint32_t i = 0; i < scan.points.size(); ++i) {
     const bool on_pole = simulated.returns[i].kind == SurfaceKind::kPole;
-    (on_pole ? widths.of_pole : widths.of_rest).push_back(halfWidth(scan, image, i, kMaxWidth));
+    (on_pole ? widths.of_pole : widths.of_rest).push_back(halfWidth(image, i, scan.points[i], kMaxWidth));
   }
   return widths;
 }
@@ -85,7 +86,7 @@ TEST(HalfWidth, ALoneReturnIsOnePixelWide) {
   FilteredScan scan;
   scan.points = {{6.0F, 0.0F, 0.0F}};
   const RangeImage image(scan.points, kPixel, 2.0 * kDegree);
-  EXPECT_NEAR(halfWidth(scan, image, 0, kMaxWidth), 0.5 * 6.0 * kPixel, 1e-5);
+  EXPECT_NEAR(halfWidth(image, 0, scan.points[0], kMaxWidth), 0.5 * 6.0 * kPixel, 1e-5);
 }
 
 }  // namespace

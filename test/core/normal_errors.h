@@ -22,10 +22,11 @@ struct Estimate {
 inline std::vector<Estimate> estimate(const SimulatedScan& scan, NormalReport& report, double range_noise = 0.02) {
   ScanParameters parameters;
   parameters.thinning = 0.0;
+  parameters.shared_normals = 0.0;
   parameters.range_noise = range_noise;
   Random random(1);
   const FilteredScan filtered = filterScan(toLidarScan(scan), 0.5, parameters, random);
-  const std::vector<SurfacePoint> surface = estimateSurface(filtered, parameters, report);
+  const std::vector<SurfacePoint> surface = estimateSurface(filtered, 0.5, parameters, report);
   EXPECT_EQ(filtered.points.size(), scan.returns.size()) << "their indices should be the same";
   EXPECT_EQ(surface.size(), filtered.rays.size());
   std::vector<Estimate> estimates;

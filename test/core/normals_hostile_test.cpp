@@ -18,7 +18,7 @@ void expectWhole(const std::vector<Vector3f>& points, const ScanParameters& para
   Random random(1);
   const FilteredScan scan = filterScan({points, {}}, 0.5, parameters, random);
   NormalReport report;
-  const std::vector<SurfacePoint> surface = estimateSurface(scan, parameters, report);
+  const std::vector<SurfacePoint> surface = estimateSurface(scan, 0.5, parameters, report);
   ASSERT_EQ(surface.size(), scan.rays.size());
   ASSERT_LE(report.from_line + report.from_ray, surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(NormalsHostile, NoPointGivesNoneAndOnePointFacesTheSensor) {
     Random random(1);
     const FilteredScan scan = filterScan({{point}, {}}, 0.5, ScanParameters{}, random);
     NormalReport report;
-    const std::vector<SurfacePoint> surface = estimateSurface(scan, ScanParameters{}, report);
+    const std::vector<SurfacePoint> surface = estimateSurface(scan, 0.5, ScanParameters{}, report);
     ASSERT_EQ(surface.size(), 1U);
     EXPECT_TRUE(surface[0].normal.isApprox(-point.normalized()));
     EXPECT_EQ(report.from_ray, 1U);

@@ -40,7 +40,7 @@ TEST(RangeImage, PixelHoldsTheNearestOfItsReturns) {
   }
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto [row, column] = image.pixel(i);
-    const std::int32_t found = image.at(row, column);
+    const std::int32_t found = image.at(row, column).index;
     ASSERT_GE(found, 0);
     EXPECT_EQ(points[static_cast<std::size_t>(found)].squaredNorm(), nearest.at({row, column}));
   }
@@ -50,10 +50,10 @@ TEST(RangeImage, ColumnsCloseACircle) {
   const RangeImage image = makeImage({fromAngles(M_PI - 0.05 * kDegree, 0.0), fromAngles(-M_PI + 0.05 * kDegree, 0.0)});
   const auto [row, last] = image.pixel(0);
   const int first = image.pixel(1).column;
-  EXPECT_EQ(image.at(row, last + 1), 1) << "the next column after the last is the first";
-  EXPECT_EQ(image.at(row, first - 1), 0);
-  EXPECT_EQ(image.at(row, last - 1800), 0) << "a turn before the image";
-  EXPECT_EQ(image.at(row, first + 1800), 1) << "a turn behind it";
+  EXPECT_EQ(image.at(row, last + 1).index, 1) << "the next column after the last is the first";
+  EXPECT_EQ(image.at(row, first - 1).index, 0);
+  EXPECT_EQ(image.at(row, last - 1800).index, 0) << "a turn before the image";
+  EXPECT_EQ(image.at(row, first + 1800).index, 1) << "a turn behind it";
   EXPECT_NEAR(image.columnAngle(), 0.2 * kDegree, 1e-6);
 }
 
@@ -63,10 +63,10 @@ TEST(RangeImage, AnyRowMayBeAskedForAndHoldsEveryReturnOnce) {
     const RangeImage image = makeImage(points);
     int found = 0;
     for (int row = -200; row < 300; ++row) {
-      for (int column = 0; column < 1800; ++column) found += image.at(row, column) >= 0 ? 1 : 0;
+      for (int column = 0; column < 1800; ++column) found += image.at(row, column).index >= 0 ? 1 : 0;
     }
     EXPECT_EQ(found, static_cast<int>(points.size()));
-    for (const int row : {-1000000, 1000000}) EXPECT_EQ(image.at(row, 0), -1);
+    for (const int row : {-1000000, 1000000}) EXPECT_EQ(image.at(row, 0).index, -1);
   }
 }
 
@@ -76,8 +76,8 @@ TEST(RangeImage, NeighboursInAzimuthAreNeighboursInColumns) {
   const RangeImage image = makeImage(points);
   for (std::uint32_t i = 0; i < 1800; ++i) {
     const auto [row, column] = image.pixel(i);
-    EXPECT_EQ(image.at(row, column), static_cast<std::int32_t>(i));
-    EXPECT_EQ(image.at(row, column + 1), static_cast<std::int32_t>((i + 1) % 1800));
+    EXPECT_EQ(image.at(row, column).index, static_cast<std::int32_t>(i));
+    EXPECT_EQ(image.at(row, column + 1).index, static_cast<std::int32_t>((i + 1) % 1800));
   }
 }
 
@@ -105,7 +105,7 @@ TEST(RangeImage, SimulatedScanHasItsRingsInRowsAndItsFiringsInColumns) {
   int shared = 0;
   for (std::uint32_t i = 0; i < scan.returns.size(); ++i) {
     ASSERT_EQ(image.pixel(i).row - image.pixel(0).row, scan.returns[i].ring - scan.returns[0].ring);
-    shared += image.at(image.pixel(i).row, image.pixel(i).column) != static_cast<std::int32_t>(i) ? 1 : 0;
+    shared += image.at(image.pixel(i).row, image.pixel(i).column).index != static_cast<std::int32_t>(i) ? 1 : 0;
   }
   RecordProperty("returns_behind_another_of_their_pixel", shared);
   EXPECT_LT(shared, static_cast<int>(scan.returns.size() / 10));

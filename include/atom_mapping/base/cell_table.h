@@ -1,31 +1,32 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "atom_mapping/base/floor_to_int.h"
 #include "atom_mapping/base/random.h"
 
 namespace atom_map {
 
-// A hash table from cubic cells to a value each, for one pass over a scan. Sized once: may take up to `expected` cells.
+// A hash table from cubic cells to a value each, for one pass over a scan.
 template <class Value>
 class CellTable {
  public:
-  CellTable(float cell_size, std::size_t expected) : cells_per_metre_(1.0F / cell_size) {
-    std::size_t capacity = 16;
-    while (capacity < 2 * expected) capacity *= 2;
-    slots_.resize(capacity);
-  }
+  explicit CellTable(float cell_size) : cells_per_metre_(1.0F / cell_size), slots_(1024) {}
 
-  // The value of the cell that holds the point, made from Value() at the first call.
+  // The value of the cell that holds the point, made from Value() at the first call. Valid until the next call.
   Value& at(const Eigen::Vector3f& point) {
     const std::uint64_t key = keyOf(point);
-    std::size_t i = mixBits(key) & (slots_.size() - 1);
-    while (slots_[i].key != kEmpty && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    slots_[i].key = key;
-    return slots_[i].value;
+    Slot* slot = &slotOf(key);
+    if (slot->key == key) return slot->value;
+    if (2 * ++size_ > slots_.size()) {
+      grow();
+      slot = &slotOf(key);
+    }
+    slot->key = key;
+    return slot->value;
   }
 
  private:
@@ -36,15 +37,31 @@ class CellTable {
   };
 
   std::uint64_t keyOf(const Eigen::Vector3f& p) const {
-    constexpr std::int64_t kMask = (1 << 21) - 1;
+    constexpr std::int32_t kMask = (1 << 21) - 1;
     const auto cell = [&](int axis) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(p[axis] * cells_per_metre_)) & kMask);
+      return static_cast<std::uint64_t>(floorToInt(p[axis] * cells_per_metre_) & kMask);
     };
     return cell(0) << 42 | cell(1) << 21 | cell(2);
   }
 
+  // The one that holds the key, or the empty one where it belongs.
+  Slot& slotOf(std::uint64_t key) {
+    std::size_t i = mixBits(key) & (slots_.size() - 1);
+    while (slots_[i].key != kEmpty && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
+    return slots_[i];
+  }
+
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    for (Slot& slot : old) {
+      if (slot.key != kEmpty) slotOf(slot.key) = std::move(slot);
+    }
+  }
+
   float cells_per_metre_;
   std::vector<Slot> slots_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace atom_map

@@ -34,6 +34,7 @@ void forEachParameter(Parameters& p, Visit&& visit) {
   visit("scan/vertical_resolution", p.scan.vertical_resolution, Range{0.05, 45.0});
   visit("scan/range_noise", p.scan.range_noise, Range{0.0, 1.0});
   visit("scan/normal_support", p.scan.normal_support, Range{0.0, 10.0, true});
+  visit("scan/shared_normals", p.scan.shared_normals, Range{0.0, 10.0});
   visit("scan/thin_width", p.scan.thin_width, Range{0.0, 10.0});
   visit("scan/clear_no_returns", p.scan.clear_no_returns);
 

@@ -19,8 +19,9 @@ struct ScanParameters {
   double vertical_resolution = 2.0;    // deg between rings (VLP-16)
   double range_noise = 0.02;           // m, standard deviation of one range
   double normal_support = 0.15;        // m, half the least width of the neighbourhood that a normal is fitted to
-  double thin_width = 0.5;             // m, things up to this width that stand free are kept as thin
-  bool clear_no_returns = false;       // rays without an echo free the space up to max_range
+  double shared_normals = 2.0;    // atomic radii, side of cells whose returns share a normal if on one plane; 0: none
+  double thin_width = 0.5;        // m, things up to this width that stand free are kept as thin
+  bool clear_no_returns = false;  // rays without an echo free the space up to max_range
 };
 
 // rays/: candidates (paper III-C) and stochastic angular interleaving (paper III-D).

@@ -12,6 +12,8 @@ class AtomBlock {
  public:
   static constexpr std::uint32_t kLane = 4;  // atoms; a block's capacity is its size rounded up to a whole lane
 
+  using Lane = Eigen::Array<float, kLane, 1>;
+
   explicit AtomBlock(int value_count) : value_count_(static_cast<std::uint8_t>(value_count)) {}
 
   std::uint32_t size() const { return size_; }
@@ -21,6 +23,9 @@ class AtomBlock {
   // Valid until the block changes.
   const float* channel(int c) const { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
   float* channel(int c) { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
+
+  // kLane floats of a channel, from the atom `first`, a multiple of kLane, on.
+  Lane lane(int c, std::uint32_t first) const { return Eigen::Map<const Lane>(channel(c) + first); }
 
   Eigen::Vector3f center(std::uint32_t i) const { return {channel(0)[i], channel(1)[i], channel(2)[i]}; }
 

@@ -32,19 +32,13 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
   if (size_ == 0) return;
   const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
   const float squared_radius = radius * radius;
+  using Lane = AtomBlock::Lane;
   visitLeaves(root_, keysOf({p - reach, p + reach}), [&](Child child) {
     const AtomBlock& block = leaf(child);
-    const float* x = block.channel(0);
-    const float* y = block.channel(1);
-    const float* z = block.channel(2);
-    std::array<float, AtomBlock::kLane> squared{};
     for (std::uint32_t lane = 0; lane < block.size(); lane += AtomBlock::kLane) {
-      for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
-        const float dx = x[lane + i] - p.x();
-        const float dy = y[lane + i] - p.y();
-        const float dz = z[lane + i] - p.z();
-        squared[i] = dx * dx + dy * dy + dz * dz;
-      }
+      const Lane squared = (block.lane(0, lane) - p.x()).square() + (block.lane(1, lane) - p.y()).square() +
+                           (block.lane(2, lane) - p.z()).square();
+      if (squared.minCoeff() >= squared_radius) continue;
       for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
         if (squared[i] < squared_radius) visit(ConstAtomRef{&block, lane + i}, squared[i]);
       }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <cstring>
-#include <unordered_set>
+#include <vector>
 
 #include "atom_mapping/base/random.h"
 
@@ -12,23 +12,46 @@ namespace atom_map {
 // A set of atoms, known by their centres: an atom's place in the tree changes, its centre never does.
 class CenterSet {
  public:
-  void insert(const Eigen::Vector3f& center) { hashes_.insert(hash(center)); }
-  bool contains(const Eigen::Vector3f& center) const { return hashes_.count(hash(center)) > 0; }
+  void insert(const Eigen::Vector3f& center) {
+    std::uint64_t& slot = slotOf(hash(center));
+    if (slot != kEmpty) return;
+    slot = hash(center);
+    if (2 * ++size_ > slots_.size()) grow();
+  }
+
+  bool contains(const Eigen::Vector3f& center) const {
+    return const_cast<CenterSet*>(this)->slotOf(hash(center)) != kEmpty;
+  }
 
  private:
+  static constexpr std::uint64_t kEmpty = 0;
+
   // 64 bits: two of a scan's thousands of centres share them with a probability below 1e-11.
   static std::uint64_t hash(const Eigen::Vector3f& center) {
     std::uint64_t xy = 0;
     std::uint32_t z = 0;
     std::memcpy(&xy, center.data(), sizeof xy);
     std::memcpy(&z, center.data() + 2, sizeof z);
-    return mixBits(mixBits(xy) + z);
+    return mixBits(mixBits(xy) + z) | 1;
   }
 
-  struct AlreadyMixed {
-    std::size_t operator()(std::uint64_t h) const { return static_cast<std::size_t>(h); }
-  };
-  std::unordered_set<std::uint64_t, AlreadyMixed> hashes_;
+  // The one that holds the hash, or the empty one where it belongs.
+  std::uint64_t& slotOf(std::uint64_t hash) {
+    std::size_t i = (hash >> 1) & (slots_.size() - 1);
+    while (slots_[i] != kEmpty && slots_[i] != hash) i = (i + 1) & (slots_.size() - 1);
+    return slots_[i];
+  }
+
+  void grow() {
+    std::vector<std::uint64_t> old(2 * slots_.size(), kEmpty);
+    old.swap(slots_);
+    for (const std::uint64_t hash : old) {
+      if (hash != kEmpty) slotOf(hash) = hash;
+    }
+  }
+
+  std::size_t size_ = 0;
+  std::vector<std::uint64_t> slots_ = std::vector<std::uint64_t>(1024, kEmpty);
 };
 
 }  // namespace atom_map

@@ -11,17 +11,18 @@
 namespace atom_map {
 
 struct NormalReport {
+  std::uint32_t shared = 0;     // returns that lie on the surface of another one, and have its normal
   std::uint32_t from_line = 0;  // all neighbours on one line: the normal is square to it, else as the ray
   std::uint32_t from_ray = 0;   // no neighbours that agree: the normal is the ray's direction
 };
 
-// A surface point for each of the scan's rays, in its order and frame.
+// A surface point for each of the scan's rays, in its order and frame. `radius` (m) is that of the atoms.
 //
 // A VLP-16's rings lie far apart, so that the nearest points are all on one ring, and a plane through a line is
-// arbitrary. Choice: the neighbours come from the range image, some from each of five rings; the plane that most of
-// them agree on (least sum of truncated squared distances over planes through the point and two of them) is refined by
-// least squares over those that agree. So edges, steps and thin things keep the plane of their own side.
-std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, const ScanParameters& parameters,
+// arbitrary. Choice: the neighbours come from the range image, some from each of five rings.
+// Choice: one normal is estimated for each cell of scan/shared_normals radii. The cell's other returns share it where they
+// lie on its plane, which also tests it; only the others have one of their own.
+std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, double radius, const ScanParameters& parameters,
                                           NormalReport& report);
 
 }  // namespace atom_map

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,11 @@ class RangeImage {
     int row;
     int column;
   };
+  // The nearest return in a pixel, with its point beside its index: a neighbourhood is one read a pixel.
+  struct Return {
+    Eigen::Vector3f point;
+    std::int32_t index = -1;  // of the point; -1 where the pixel is empty
+  };
 
   // `points` in the sensor frame, none at its origin; resolutions in radians, those of the sensor.
   RangeImage(const std::vector<Eigen::Vector3f>& points, double horizontal_resolution, double vertical_resolution);
@@ -23,14 +29,26 @@ class RangeImage {
   float columnAngle() const { return 6.2831853F / static_cast<float>(columns_); }  // radians
   Pixel pixel(std::uint32_t point) const { return pixels_[point]; }
 
-  // Index of the nearest return in a pixel, or -1. Any row may be asked for, and columns up to one turn beyond the image.
-  std::int32_t at(int row, int column) const;
+  // Any row may be asked for, and columns up to one turn beyond the image.
+  const Return& at(int row, int column) const {
+    if (row < first_row_ || row >= end_row_) return none_;
+    if (column < 0) column += columns_;
+    if (column >= columns_) column -= columns_;
+    assert(column >= 0 && column < columns_);
+    return nearest_[place({row, column})];
+  }
 
  private:
-  int rows_ = 0;
+  std::size_t place(const Pixel& pixel) const {
+    return static_cast<std::size_t>(pixel.row - first_row_) * columns_ + pixel.column;
+  }
+
+  int first_row_ = 0;  // of those that hold returns
+  int end_row_ = 0;
   int columns_;
-  std::vector<Pixel> pixels_;          // one a point
-  std::vector<std::int32_t> nearest_;  // row by row
+  std::vector<Pixel> pixels_;    // one a point
+  std::vector<Return> nearest_;  // row by row
+  Return none_;
 };
 
 }  // namespace atom_map

@@ -1,0 +1,96 @@
+#include "atom_mapping/scan/estimate_normal.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "atom_mapping/scan/fit_plane.h"
+
+namespace atom_map {
+namespace {
+
+constexpr float kMinFacing = 0.05F;  // cosine between normal and ray: a plane seen more obliquely is the edge of a step
+
+// Weighted sum of the squared distances from a plane through the point, in units of their tolerance and at most one.
+// The normal may have any length.
+float disagreement(const Neighborhood& neighbors, const Eigen::Vector3f& normal) {
+  const float per_length = 1.0F / normal.squaredNorm();
+  const auto squared = (neighbors.along(normal) * neighbors.per_tolerance).square() * per_length;
+  return (neighbors.weight * squared.min(1.0F)).sum();
+}
+
+// The normal that most neighbours agree on, of planes through the point, a neighbour on its ring and one on another,
+// and of planes through the point and one on another ring that face the sensor as far as they can (poles).
+Eigen::Vector3f agreedNormal(const Neighborhood& neighbors, const Eigen::Vector3f& towards_sensor) {
+  Eigen::Vector3f best = towards_sensor;
+  float least = std::numeric_limits<float>::infinity();
+  constexpr float kTiny = 1e-30F;  // below it floats lose their digits
+  const auto propose = [&](const Eigen::Vector3f& normal) {
+    const float facing = normal.dot(towards_sensor);
+    const float squared_length = normal.squaredNorm();
+    if (squared_length < kTiny || facing * facing <= kMinFacing * kMinFacing * squared_length) return;
+    const float sum = disagreement(neighbors, normal);
+    if (sum >= least) return;
+    least = sum;
+    best = normal;
+  };
+  for (const int row : {1, 3, 0, 4}) {
+    const bool inner = row == 1 || row == 3;
+    if (!inner && least < std::numeric_limits<float>::infinity())
+      break;  // the outer rings where the inner ones are empty
+    for (const int column : {0, 4, 8}) {
+      const int across = neighbors.index[row][column];
+      if (across < 0) continue;
+      const Eigen::Vector3f line = neighbors.offset(across);
+      if (column == 4) propose(towards_sensor * line.squaredNorm() - line * line.dot(towards_sensor));
+      for (const int beside : {2, 6}) {
+        const int along = neighbors.index[Neighborhood::kRingsBeside][beside];
+        if (along >= 0) propose(neighbors.offset(along).cross(line));
+      }
+    }
+  }
+  return best.normalized();
+}
+
+Eigen::Vector3f turnedTowards(const Eigen::Vector3f& sensor, const Eigen::Vector3f& normal) {
+  return normal.dot(sensor) < 0.0F ? Eigen::Vector3f(-normal) : normal;
+}
+
+// The plane that the point and all its neighbours lie on, as most do; nothing where any of them lies off it.
+std::optional<Normal> commonPlane(const Neighborhood& neighbors, const Eigen::Vector3f& towards_sensor, float noise) {
+  const Moments moments = momentsOf(neighbors, neighbors.weight);
+  const PlaneFit plane = fitPlane(moments.covariance);
+  const Eigen::Vector3f normal = turnedTowards(towards_sensor, plane.normal);
+  if (plane.breadth <= 2.0F * noise || normal.dot(towards_sensor) <= kMinFacing) return std::nullopt;
+  const auto distance = neighbors.along(normal) - normal.dot(moments.mean);
+  if ((distance * neighbors.per_tolerance).abs().maxCoeff() > 1.0F) return std::nullopt;
+  return Normal{normal, Fit::kPlane};
+}
+
+// Least squares over the neighbours that agree; falls back where they do not span a plane.
+Normal refine(const Neighborhood& neighbors, const Eigen::Vector3f& agreed, const Eigen::Vector3f& towards_sensor,
+              float noise) {
+  const auto agrees = (neighbors.along(agreed) * neighbors.per_tolerance).abs() <= 1.0F;
+  const Neighborhood::Floats weight = agrees.select(neighbors.weight, 0.0F);
+  if ((weight > 0.0F).count() < 2) return {towards_sensor, Fit::kNone};
+  const Moments moments = momentsOf(neighbors, weight);
+  const PlaneFit plane = fitPlane(moments.covariance);
+  if (plane.breadth > 2.0F * noise) return {turnedTowards(towards_sensor, plane.normal), Fit::kPlane};
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(moments.covariance);
+  const Eigen::Vector3f line = solver.eigenvectors().col(2);
+  const Eigen::Vector3f square = towards_sensor - line * line.dot(towards_sensor);
+  if (square.norm() < kMinFacing) return {towards_sensor, Fit::kNone};
+  return {square.normalized(), Fit::kLine};
+}
+
+}  // namespace
+
+Normal estimateNormal(const Neighborhood& neighbors, const Eigen::Vector3f& towards_sensor, float noise) {
+  if (const auto plane = commonPlane(neighbors, towards_sensor, noise)) return *plane;
+  return refine(neighbors, agreedNormal(neighbors, towards_sensor), towards_sensor, noise);
+}
+
+}  // namespace atom_map
