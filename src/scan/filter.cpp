@@ -13,28 +13,40 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kNearest = 1e-3;  // m, at the sensor itself: some drivers' mark of no return
 constexpr double kFarthest = 1e4;  // m, beyond any lidar: no more than noise
 
-// Sorts the returns into those that serve and those that are only counted. A return beyond max_range is not traced, but
-// tells of the surface that nearer ones lie on.
-void sortReturns(const LidarScan& scan, const ScanParameters& parameters, FilteredScan& filtered) {
+// A return beyond max_range is not traced, but tells of the surface that nearer ones lie on.
+void sortOut(const Eigen::Vector3f& point, double min_range, double max_range, FilteredScan& filtered) {
   FilterReport& report = filtered.report;
+  const double range = point.cast<double>().norm();  // the square of a float may overflow
+  if (point.hasNaN()) {
+    ++report.nan;
+  } else if (point.maxCoeff() == kInfinity) {
+    ++report.no_return;
+  } else if (point.minCoeff() == -kInfinity || range < min_range) {
+    ++report.too_near;
+  } else if (range > max_range) {
+    ++report.too_far;
+    if (range <= kFarthest) filtered.points.push_back(point);
+  } else {
+    filtered.rays.push_back(static_cast<std::uint32_t>(filtered.points.size()));
+    filtered.points.push_back(point);
+  }
+}
+
+// Sorts the returns into those that serve and those that are only counted.
+void sortReturns(const LidarScan& scan, const ScanParameters& parameters, FilteredScan& filtered) {
+  const double min_range = std::max(parameters.min_range, kNearest);
+  // Within these squares, narrowed by the rounding of a float, a return is in range beyond doubt, as most are.
+  const auto least = static_cast<float>(min_range * min_range * (1.0 + 1e-6));
+  const auto greatest = static_cast<float>(parameters.max_range * parameters.max_range * (1.0 - 1e-6));
   filtered.points.reserve(scan.points.size());
   filtered.rays.reserve(scan.points.size());
   for (const Eigen::Vector3f& point : scan.points) {
-    const double range = point.cast<double>().norm();  // the square of a float may overflow
-    if (point.hasNaN()) {
-      ++report.nan;
-    } else if (point.maxCoeff() == kInfinity) {
-      ++report.no_return;
-    } else if (point.minCoeff() == -kInfinity || range < std::max(parameters.min_range, kNearest)) {
-      ++report.too_near;
-    } else {
-      if (range > parameters.max_range) {
-        ++report.too_far;
-        if (range > kFarthest) continue;
-      } else {
-        filtered.rays.push_back(static_cast<std::uint32_t>(filtered.points.size()));
-      }
+    const float squared = point.squaredNorm();
+    if (squared > least && squared < greatest) {
+      filtered.rays.push_back(static_cast<std::uint32_t>(filtered.points.size()));
       filtered.points.push_back(point);
+    } else {
+      sortOut(point, min_range, parameters.max_range, filtered);
     }
   }
 }

@@ -89,6 +89,7 @@ Candidates traceRays(const std::vector<SurfacePoint>& surface, const std::vector
   RayTracer tracer(sensor, parameters, random);
   Candidates candidates;
   candidates.occupied.reserve(surface.size());
+  candidates.free.reserve(4 * surface.size());
   for (const SurfacePoint& point : surface) {
     tracer.traceBehind(point, candidates);
     tracer.traceToSensor(point, candidates);

@@ -14,7 +14,7 @@ namespace atom_map {
 // another along a ray meet the same few blocks again and again, which stay in the processor's cache.
 class CellSet {
  public:
-  explicit CellSet(float cell_size) : cells_per_metre_(1.0F / cell_size), slots_(1024) {}
+  explicit CellSet(float cell_size) : cells_per_metre_(1.0F / cell_size), slots_(8192) {}
 
   // Adds the cell that holds the point. Returns the block's number, counted from 0 in the order of their first cells, or
   // nothing if the cell was in the set already.

@@ -14,7 +14,7 @@ namespace atom_map {
 template <class Value>
 class CellTable {
  public:
-  explicit CellTable(float cell_size) : cells_per_metre_(1.0F / cell_size), slots_(1024) {}
+  explicit CellTable(float cell_size) : cells_per_metre_(1.0F / cell_size), slots_(8192) {}
 
   // The value of the cell that holds the point, made from Value() at the first call. Valid until the next call.
   Value& at(const Eigen::Vector3f& point) {

@@ -39,6 +39,9 @@ class RangeImage {
   }
 
  private:
+  void placeAll(const std::vector<float>& elevations, const std::vector<float>& azimuths, float rows_per_radian);
+  void keepNearest(const std::vector<Eigen::Vector3f>& points);
+
   std::size_t place(const Pixel& pixel) const {
     return static_cast<std::size_t>(pixel.row - first_row_) * columns_ + pixel.column;
   }
