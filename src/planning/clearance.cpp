@@ -15,10 +15,6 @@ using Eigen::Vector3f;
 
 constexpr float kStep = 0.5F;  // atomic radii
 
-bool isOccupied(const AtomMap& map, ConstAtomRef atom) {
-  return classify(map.mode() == Mode::kOccupancy ? atom.value() : -atom.value()) == Occupancy::kOccupied;
-}
-
 // A straight way, and the point of it nearest to another.
 struct Way {
   Way(const Vector3f& from, const Vector3f& to)
@@ -45,7 +41,7 @@ float Clearance::occupiedDistance(const Vector3f& point, float reach) const {
   for (;; searched = std::min(2.0F * searched, reach)) {
     float nearest = searched * searched;
     map_.atoms().forEachWithin(point, searched, [&](ConstAtomRef atom, float squared_distance) {
-      if (squared_distance < nearest && isOccupied(map_, atom)) nearest = squared_distance;
+      if (squared_distance < nearest && classify(map_, atom) == Occupancy::kOccupied) nearest = squared_distance;
     });
     if (nearest < searched * searched || searched == reach) return std::sqrt(nearest);
   }
@@ -79,7 +75,7 @@ bool Clearance::isClear(const Vector3f& from, const Vector3f& to) const {
   const float reach = rules_.robot_radius + map_.radius();
   bool is_clear = true;
   map_.atoms().forEachWithin(0.5F * (from + to), 0.5F * way.length + reach, [&](ConstAtomRef atom, float) {
-    if (!is_clear || !isOccupied(map_, atom)) return;
+    if (!is_clear || classify(map_, atom) != Occupancy::kOccupied) return;
     const Vector3f center = atom.center();
     is_clear = (center - way.at(way.nearestTo(center))).squaredNorm() >= reach * reach;
   });

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 
-#include "atom_mapping/base/random.h"
 #include "atom_mapping/query/occupancy.h"
 
 namespace atom_map {
@@ -13,10 +11,6 @@ namespace {
 
 constexpr float kReach = 4.0F;          // atomic radii, between connected atoms (paper IV-A)
 constexpr float kSurfaceReach = 16.0F;  // atomic radii
-
-bool isFree(const AtomMap& map, ConstAtomRef atom) {
-  return classify(map.mode() == Mode::kOccupancy ? atom.value() : -atom.value()) == Occupancy::kFree;
-}
 
 }  // namespace
 
@@ -71,7 +65,7 @@ void PathSearch::expand(Node node, const AtomMap& map, Clearance& clearance) {
   if ((center - goal).squaredNorm() < (nearest() - goal).squaredNorm()) nearest_ = node;
   if ((center - goal).norm() < kReach * radius_) propose(node, kGoal);
   map.atoms().forEachWithin(center, kReach * radius_, [&](ConstAtomRef atom, float /*squared_distance*/) {
-    if (!isFree(map, atom)) return;
+    if (classify(map, atom) != Occupancy::kFree) return;
     const Node neighbor = find(atom, clearance);
     if (nodes_[neighbor].is_safe && !nodes_[neighbor].is_closed) propose(node, neighbor);
   });
@@ -112,14 +106,6 @@ std::vector<Waypoint> PathSearch::path() const {
   }
   std::reverse(path.begin(), path.end());
   return path;
-}
-
-std::size_t PathSearch::PositionHash::operator()(const Eigen::Vector3f& position) const {
-  std::uint64_t xy = 0;
-  std::uint32_t z = 0;
-  std::memcpy(&xy, position.data(), sizeof xy);
-  std::memcpy(&z, position.data() + 2, sizeof z);
-  return mixBits(mixBits(xy) + z);
 }
 
 }  // namespace atom_map

@@ -14,10 +14,6 @@ using Eigen::Vector3f;
 
 constexpr float kMaxSteps = 1000.0F;  // from center to rim; such a sphere leaves any map
 
-bool isOccupied(const AtomMap& map, ConstAtomRef atom) {
-  return classify(map.mode() == Mode::kOccupancy ? atom.value() : -atom.value()) == Occupancy::kOccupied;
-}
-
 // At a distance from `from`, on the way to another point.
 Vector3f pointTowards(const Vector3f& from, const Vector3f& to, float distance) {
   return from + distance * (to - from).normalized();
@@ -26,7 +22,7 @@ Vector3f pointTowards(const Vector3f& from, const Vector3f& to, float distance) 
 bool reachesOccupied(const AtomMap& map, const Vector3f& center, float radius) {
   bool found = false;
   map.atoms().forEachWithin(center, radius + 2.0F * map.radius(), [&](ConstAtomRef atom, float squared_distance) {
-    if (found || !isOccupied(map, atom)) return;
+    if (found || classify(map, atom) != Occupancy::kOccupied) return;
     const float distance = std::sqrt(squared_distance);
     found = distance < radius + map.radius() ||
             classify(interpolate(map, pointTowards(center, atom.center(), radius))) == Occupancy::kOccupied;

@@ -20,15 +20,6 @@ std::optional<float> interpolate(const AtomMap& map, const Eigen::Vector3f& poin
   return sum / weights;  // Eq. (5)
 }
 
-Occupancy classify(std::optional<float> log_odds) {
-  if (!log_odds) return Occupancy::kUnknown;
-  return *log_odds < 0.0F ? Occupancy::kFree : Occupancy::kOccupied;
-}
-
-Occupancy classify(const AtomMap& map, const Eigen::Vector3d& point) {
-  return classify(interpolate(map, map.toLocal(point)));
-}
-
 float probability(std::optional<float> log_odds) {
   return log_odds ? 1.0F / (1.0F + std::exp(-*log_odds)) : 0.5F;
 }

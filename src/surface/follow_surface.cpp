@@ -8,6 +8,7 @@
 
 #include "atom_mapping/base/parallel.h"
 #include "atom_mapping/query/gaussian_process.h"
+#include "atom_mapping/query/occupancy.h"
 
 namespace atom_map {
 namespace {
@@ -34,7 +35,7 @@ class SurfaceSearch {
   }
 
  private:
-  bool isFree(ConstAtomRef atom) const { return to_free_ * atom.value() > 0.0F; }
+  bool isFree(ConstAtomRef atom) const { return classify(map_, atom) == Occupancy::kFree; }
 
   // Cells on the way from each occupied atom to the free atom nearest to it.
   std::vector<LatticeIndex> seeds() {
@@ -116,7 +117,7 @@ class SurfaceSearch {
   const AtomMap& map_;
   const GaussianProcessParameters& parameters_;
   const SurfaceRequest& request_;
-  float to_free_;  // sign of what atoms store in free space
+  float to_free_;  // sign of what the regression estimates in free space
   float spacing_;
   SampledSurface found_;
   std::unordered_set<LatticeIndex, HashLatticeIndex> taken_;

@@ -2,14 +2,13 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
-#include "atom_mapping/base/random.h"
+#include "atom_mapping/map/hash_center.h"
 
 namespace atom_map {
 
-// A set of atoms, known by their centres: an atom's place in the tree changes, its centre never does.
+// A set of atoms, known by their centres.
 class CenterSet {
  public:
   void insert(const Eigen::Vector3f& center) {
@@ -27,13 +26,7 @@ class CenterSet {
   static constexpr std::uint64_t kEmpty = 0;
 
   // 64 bits: two of a scan's thousands of centres share them with a probability below 1e-11.
-  static std::uint64_t hash(const Eigen::Vector3f& center) {
-    std::uint64_t xy = 0;
-    std::uint32_t z = 0;
-    std::memcpy(&xy, center.data(), sizeof xy);
-    std::memcpy(&z, center.data() + 2, sizeof z);
-    return mixBits(mixBits(xy) + z) | 1;
-  }
+  static std::uint64_t hash(const Eigen::Vector3f& center) { return HashCenter()(center) | 1; }
 
   // The one that holds the hash, or the empty one where it belongs.
   std::uint64_t& slotOf(std::uint64_t hash) {

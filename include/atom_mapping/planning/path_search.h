@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "atom_mapping/map/hash_center.h"
 #include "atom_mapping/planning/clearance.h"
 
 namespace atom_map {
@@ -76,9 +77,6 @@ class PathSearch {
 
     bool operator>(const Way& other) const { return estimate > other.estimate; }
   };
-  struct PositionHash {
-    std::size_t operator()(const Eigen::Vector3f& position) const;
-  };
 
   bool accept(const Way& way, Clearance& clearance);
   void expand(Node node, const AtomMap& map, Clearance& clearance);
@@ -91,7 +89,7 @@ class PathSearch {
   SafetyRules rules_;
   float reach_;
   std::vector<Record> nodes_;
-  std::unordered_map<Eigen::Vector3f, Node, PositionHash> atoms_;
+  std::unordered_map<Eigen::Vector3f, Node, HashCenter> atoms_;
   std::vector<Way> open_;  // a heap, the least estimate on top
   std::uint32_t expanded_ = 0;
   Node nearest_ = kStart;

@@ -14,10 +14,15 @@ enum class Occupancy { kUnknown = 0, kFree = 1, kOccupied = 2 };
 std::optional<float> interpolate(const AtomMap& map, const Eigen::Vector3f& point);
 
 // Free below, occupied from zero on; unknown without a value.
-Occupancy classify(std::optional<float> log_odds);
+inline Occupancy classify(std::optional<float> log_odds) {
+  if (!log_odds) return Occupancy::kUnknown;
+  return *log_odds < 0.0F ? Occupancy::kFree : Occupancy::kOccupied;
+}
 
-// Of a point of the map frame, by Eq. (5).
-Occupancy classify(const AtomMap& map, const Eigen::Vector3d& point);
+// What an atom of the map stands for, in either mode.
+inline Occupancy classify(const AtomMap& map, ConstAtomRef atom) {
+  return classify(map.mode() == Mode::kOccupancy ? atom.value() : -atom.value());
+}
 
 // Of log-odds; 0.5 where unknown. Occupancy mode only.
 float probability(std::optional<float> log_odds);
