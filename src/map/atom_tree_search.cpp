@@ -6,9 +6,6 @@
 namespace atom_map {
 namespace {
 
-// Of a coordinate or of the difference of two near it, with two roundings to spare.
-constexpr float kRounding = 4e-7F;
-
 void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& neighbor) {
   if (best.size() == k) best.pop_back();
   const auto farther = std::upper_bound(best.begin(), best.end(), neighbor, [](const Neighbor& a, const Neighbor& b) {
@@ -53,7 +50,7 @@ void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t 
     return;
   }
   const Inner& node = inner(child);
-  const float plane = static_cast<float>(static_cast<std::int64_t>(node.plane) - CellKey::kOffset) / cells_per_metre_;
+  const float plane = planeOf(node);
   const float offset = p[node.axis] - plane;
   const std::size_t near = offset >= 0.0F ? 1 : 0;
   kNearestBelow(node.children[near], p, k, max_squared_distance, best);

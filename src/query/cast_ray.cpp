@@ -1,36 +1,37 @@
 #include "atom_mapping/query/cast_ray.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "atom_mapping/query/free_way.h"
 #include "atom_mapping/query/occupancy.h"
 
 namespace atom_map {
 namespace {
 
-constexpr double kStep = 0.5;  // atomic radii
+constexpr double kStep = 0.25;  // atomic radii
 constexpr double kTolerance = 0.01;
 
-}  // namespace
-
-CastRay castRay(const AtomMap& map, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float max_range) {
-  const auto ask = [&](double distance) {
-    return classify(interpolate(map, origin + static_cast<float>(distance) * direction));
-  };
+// `ask` gives the occupancy at a point.
+template <class Ask>
+CastRay follow(const AtomMap& map, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, double range,
+               const Ask& ask) {
+  const auto at = [&](double distance) { return ask(origin + static_cast<float>(distance) * direction); };
   const double step = kStep * static_cast<double>(map.radius());
   const double tolerance = kTolerance * static_cast<double>(map.radius());
-  const double range = max_range;
+  FreeWay way(map, origin, direction);
   double free = 0.0;  // the farthest free point so far
   double end = 0.0;
-  Occupancy met = ask(end);
-  for (double i = 1.0; met == Occupancy::kFree && end < range; i += 1.0) {
-    free = end;
-    end = std::min(i * step, range);
-    met = ask(end);
+  Occupancy met = at(end);
+  while (met == Occupancy::kFree && end < range) {
+    free = way.end(end, range);
+    end = std::min(free + step, range);
+    met = at(end);
   }
-  if (met == Occupancy::kFree) return {RayEnd::kMiss, max_range};
+  if (met == Occupancy::kFree) return {RayEnd::kMiss, static_cast<float>(range)};
   while (end - free > tolerance) {
     const double middle = 0.5 * (free + end);
-    const Occupancy there = ask(middle);
+    const Occupancy there = at(middle);
     if (there == Occupancy::kFree) {
       free = middle;
     } else {
@@ -39,6 +40,23 @@ CastRay castRay(const AtomMap& map, const Eigen::Vector3f& origin, const Eigen::
     }
   }
   return {met == Occupancy::kOccupied ? RayEnd::kHit : RayEnd::kUnknown, static_cast<float>(end)};
+}
+
+}  // namespace
+
+CastRay castRay(const AtomMap& map, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float max_range) {
+  assert(map.mode() == Mode::kOccupancy);
+  return follow(map, origin, direction, max_range,
+                [&](const Eigen::Vector3f& point) { return classify(interpolate(map, point)); });
+}
+
+CastRay castRay(const AtomMap& map, GaussianProcess& distances, const Eigen::Vector3f& origin,
+                const Eigen::Vector3f& direction, float max_range) {
+  assert(map.mode() == Mode::kSignedDistance);
+  return follow(map, origin, direction, max_range, [&](const Eigen::Vector3f& point) {
+    const auto estimate = distances.estimate(point);
+    return classify(estimate ? std::make_optional(-estimate->value) : std::nullopt);
+  });
 }
 
 }  // namespace atom_map

@@ -89,7 +89,10 @@ void MapQueries::fill(const CastRay::Request& request, CastRay::Response& respon
   for (std::size_t i = 0; i < size; ++i) {
     const Vector3f direction = (to_map.linear() * directions[i]).cast<float>();
     const auto ray = server_.read([&](const AtomMap& map) {
-      return atom_map::castRay(map, map.toLocal(to_map * origins[i]), direction, max_range);
+      const Vector3f origin = map.toLocal(to_map * origins[i]);
+      if (map.mode() == atom_map::Mode::kOccupancy) return atom_map::castRay(map, origin, direction, max_range);
+      atom_map::GaussianProcess distances(map, server_.parameters().gaussian_process);
+      return atom_map::castRay(map, distances, origin, direction, max_range);
     });
     response.result.push_back(static_cast<std::uint8_t>(ray.end));
     response.ends.push_back(toPoint(origins[i] + static_cast<double>(ray.distance) * directions[i]));

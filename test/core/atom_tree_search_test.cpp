@@ -1,6 +1,7 @@
 // Radius and box searches of the atom tree against a walk over a plain list of the same atoms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "tree_under_test.h"
@@ -38,6 +39,33 @@ TEST_P(AtomTreeSearch, RadiusFindsTheAtomsThatAreNearerAndNoOthers) {
       found.erase(place);
     }
     ASSERT_TRUE(found.empty()) << "finds what is no atom";
+  }
+}
+
+TEST_P(AtomTreeSearch, AStraightWayFindsTheAtomsBesideItAndNoOthers) {
+  Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3f from = drawQuery(random);
+    const Vector3f to = i % 10 == 0 ? from : drawQuery(random);
+    const float radius = drawRadius(random);
+    std::vector<PlainAtom> found;
+    tree_.forEachAlong(from, to, radius, [&](ConstAtomRef atom) { found.push_back(plain(atom, value_count_)); });
+    std::vector<PlainAtom> surely;
+    std::vector<PlainAtom> perhaps;
+    const Eigen::Vector3d way = (to - from).cast<double>();
+    for (const PlainAtom& atom : atoms_) {
+      const Eigen::Vector3d offset = (atom.center - from).cast<double>();
+      const double share = way.isZero() ? 0.0 : std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const double height = (offset - share * way).norm();
+      const double slack = 1e-6 * (offset.norm() + way.norm());
+      if (height < static_cast<double>(radius) - slack) surely.push_back(atom);
+      if (height < static_cast<double>(radius) + slack) perhaps.push_back(atom);
+    }
+    found = sorted(found);
+    surely = sorted(surely);
+    perhaps = sorted(perhaps);
+    ASSERT_TRUE(std::includes(found.begin(), found.end(), surely.begin(), surely.end())) << "misses one";
+    ASSERT_TRUE(std::includes(perhaps.begin(), perhaps.end(), found.begin(), found.end())) << "finds one too many";
   }
 }
 

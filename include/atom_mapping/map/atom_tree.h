@@ -59,6 +59,11 @@ class AtomTree {
   template <class Visit>
   void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) const;
 
+  // Calls visit(ConstAtomRef) for each atom whose centre lies nearer than `radius` to the straight way between two points,
+  // in no particular order.
+  template <class Visit>
+  void forEachAlong(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius, Visit&& visit) const;
+
   // Calls visit(ConstAtomRef) for each atom whose centre lies in the closed box, or in the tree, in the tree's order.
   template <class Visit>
   void forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const;
@@ -95,12 +100,24 @@ class AtomTree {
 
     int side(const CellKey& k) const { return k.cell[axis] >= plane ? 1 : 0; }
   };
+  // A straight way's part from share `begin` to share `end` of `way`.
+  struct Segment {
+    const Eigen::Vector3f& start;
+    const Eigen::Vector3f& way;
+    float begin;
+    float end;
+
+    float coordinate(int axis, float share) const { return start[axis] + share * way[axis]; }
+  };
   // Where a child hangs: survives the growth of the node arrays, which a pointer does not.
   struct Place {
     Child parent;  // kRoot for the root
     int side;
   };
   static constexpr Child kRoot = -1;
+
+  // Of a coordinate or of the difference of two near it, with two roundings to spare.
+  static constexpr float kRounding = 4e-7F;
 
   static bool isLeaf(Child c) { return c < 0; }
   AtomBlock& leaf(Child c) { return leaves_[static_cast<std::size_t>(~c)]; }
@@ -120,8 +137,13 @@ class AtomTree {
   Child removeBelow(Child child, const CellRange& range, const Eigen::AlignedBox3f& box);
   std::size_t depthBelow(Child child) const;
 
+  float planeOf(const Inner& node) const {
+    return static_cast<float>(static_cast<std::int64_t>(node.plane) - CellKey::kOffset) / cells_per_metre_;
+  }
   template <class Visit>
   void visitLeaves(Child child, const CellRange& range, Visit&& visit) const;
+  template <class Visit>
+  void visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const;
   void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
                      std::vector<Neighbor>& best) const;
 

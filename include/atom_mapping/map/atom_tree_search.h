@@ -1,6 +1,8 @@
 // Searches of AtomTree that call a visitor; included by atom_tree.h only.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "atom_mapping/map/atom_tree.h"
@@ -41,6 +43,65 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
       if (squared.minCoeff() >= squared_radius) continue;
       for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
         if (squared[i] < squared_radius) visit(ConstAtomRef{&block, lane + i}, squared[i]);
+      }
+    }
+  });
+}
+
+// Calls visit(leaf's child reference) for each leaf whose side of every split comes nearer to the part than `radius`. Of
+// the part, each side gets what is near to it.
+template <class Visit>
+void AtomTree::visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const {
+  while (!isLeaf(child)) {
+    const Inner& node = inner(child);
+    const float plane = planeOf(node);
+    const float way = part.way[node.axis];
+    const float reach = radius + 4.0F * kRounding * (std::abs(plane) + radius + std::abs(way));
+    const float begin = part.coordinate(node.axis, part.begin) - plane;
+    const float end = part.coordinate(node.axis, part.end) - plane;
+    const bool below = std::min(begin, end) < reach;
+    const bool above = std::max(begin, end) >= -reach;
+    if (below && above) {
+      const auto shareAt = [&](float offset) { return (plane + offset - part.start[node.axis]) / way; };
+      Segment lower = part;
+      if (end > reach) lower.end = shareAt(reach);
+      if (begin > reach) lower.begin = shareAt(reach);
+      if (begin < -reach) part.begin = shareAt(-reach);
+      if (end < -reach) part.end = shareAt(-reach);
+      visitLeavesAlong(node.children[0], lower, radius, visit);
+    }
+    child = node.children[above ? 1 : 0];
+  }
+  visit(child);
+}
+
+template <class Visit>
+void AtomTree::forEachAlong(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius, Visit&& visit) const {
+  if (size_ == 0) return;
+  const Eigen::Vector3f way = to - from;
+  const float squared_length = way.squaredNorm();
+  const Eigen::Vector3f to_share = squared_length > 0.0F ? Eigen::Vector3f(way / squared_length) : way;
+  const float squared_radius = radius * radius;
+  visitLeavesAlong(root_, Segment{from, way, 0.0F, 1.0F}, radius, [&](Child child) {
+    const AtomBlock& block = leaf(child);
+    const float* x = block.channel(0);
+    const float* y = block.channel(1);
+    const float* z = block.channel(2);
+    std::array<float, AtomBlock::kLane> squared{};
+    for (std::uint32_t lane = 0; lane < block.size(); lane += AtomBlock::kLane) {
+      for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
+        const float dx = x[lane + i] - from.x();
+        const float dy = y[lane + i] - from.y();
+        const float dz = z[lane + i] - from.z();
+        const float along = dx * to_share.x() + dy * to_share.y() + dz * to_share.z();
+        const float share = std::min(std::max(along, 0.0F), 1.0F);
+        const float off_x = dx - share * way.x();
+        const float off_y = dy - share * way.y();
+        const float off_z = dz - share * way.z();
+        squared[i] = off_x * off_x + off_y * off_y + off_z * off_z;
+      }
+      for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
+        if (squared[i] < squared_radius) visit(ConstAtomRef{&block, lane + i});
       }
     }
   });
