@@ -71,5 +71,20 @@ if(NOT ATOM_MAPPING_CORE_ONLY)
   endforeach()
 endif()
 
+# benchmark/NAME_benchmark.cpp: a program of Google Benchmark cases. Built with the tests, run by scripts/benchmark.sh only.
+if(NOT ATOM_MAPPING_SANITIZE)
+  find_package(benchmark REQUIRED)
+  file(GLOB benchmarks CONFIGURE_DEPENDS benchmark/*_benchmark.cpp)
+  foreach(source ${benchmarks})
+    get_filename_component(name ${source} NAME_WE)
+    add_executable(${name} EXCLUDE_FROM_ALL ${source})
+    target_include_directories(${name} PRIVATE test/core)
+    target_link_libraries(${name} ${ATOM_MAPPING_CORE_LIBRARIES} benchmark::benchmark)
+    if(TARGET tests)
+      add_dependencies(tests ${name})
+    endif()
+  endforeach()
+endif()
+
 # scripts/test.sh counts: a test that left no result has failed.
 file(WRITE ${CMAKE_BINARY_DIR}/expected_test_results.txt "${expected_results}")
