@@ -27,8 +27,12 @@ double wayCost(const Waypoint& a, const Waypoint& b, const PathPreference& prefe
 }
 
 PathSearch::PathSearch(const Waypoint& start, const Waypoint& goal, float radius, const PathPreference& preference,
-                       const SafetyRules& rules)
-    : radius_(radius), preference_(preference), rules_(rules), reach_(surfaceReach(preference, radius)) {
+                       const SafetyRules& rules, double max_cost)
+    : radius_(radius),
+      preference_(preference),
+      rules_(rules),
+      reach_(surfaceReach(preference, radius)),
+      max_cost_(max_cost) {
   nodes_ = {{start, true}, {goal, true}};
   propose(kStart, kStart);
 }
@@ -87,6 +91,7 @@ void PathSearch::propose(Node from, Node to) {
   const double cost = nodes_[from].cost + wayCost(nodes_[from].at, b, preference_);
   // Eq. (12): the cost so far, the surface term within it, and the straight way to the goal.
   const auto left = static_cast<double>((nodes_[kGoal].at.position - b.position).norm());
+  if (cost + left > max_cost_) return;
   open_.push_back({cost + left, cost, to, from});
   std::push_heap(open_.begin(), open_.end(), std::greater<>());
 }

@@ -1,7 +1,9 @@
 #include "atom_mapping/planning/plan_path.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "atom_mapping/planning/shortcut.h"
@@ -12,9 +14,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kSlice{1};  // of reading the map
-constexpr float kMargin = 0.5F;                 // atomic radii
-constexpr float kRounding = 1e-3F;              // atomic radii, of a safe way's parts
+constexpr std::chrono::milliseconds kSlice{1};               // of reading the map
+constexpr std::array<float, 3> kMargins{0.5F, 0.25F, 0.0F};  // atomic radii, one tried after the other
+constexpr double kDetour = 1.1;                              // what a margin may cost, over the cheapest path without
+constexpr float kRounding = 1e-3F;                           // atomic radii, of a safe way's parts
 
 // What is fixed while one path is planned.
 struct PathTask {
@@ -22,6 +25,7 @@ struct PathTask {
   Eigen::Vector3d origin;  // map frame, of the frame that all positions are in
   PathPreference preference;
   SafetyRules rules;
+  double max_cost = std::numeric_limits<double>::infinity();  // over atoms, of a path that is worth finding
 };
 
 // A path's end as the search takes it.
@@ -46,8 +50,12 @@ bool examineEnds(const AtomMap& map, const PathRequest& request, const PathTask&
 PathSearch beginSearch(const AtomMap& map, const PathTask& task) {
   Clearance clearance(map, task.rules);
   const float reach = surfaceReach(task.preference, map.radius());
-  return {waypoint(clearance, task.rules.start, reach), waypoint(clearance, task.rules.goal, reach), map.radius(),
-          task.preference, task.rules};
+  return {waypoint(clearance, task.rules.start, reach),
+          waypoint(clearance, task.rules.goal, reach),
+          map.radius(),
+          task.preference,
+          task.rules,
+          task.max_cost};
 }
 
 // Reads the map slice by slice until is_done(map, end of the slice); false when time is up or the map lost its frame.
@@ -64,16 +72,16 @@ bool advance(const PathTask& task, Clock::time_point deadline, const Advance& is
   return done;
 }
 
-bool stillHolds(const std::vector<Waypoint>& path, const PathTask& task) {
-  bool holds = false;
+bool stillHolds(const PlannedPath& path, const PathTask& task) {
+  bool holds = true;
   task.read([&](const AtomMap& map) {
     SafetyRules rules = task.rules;
     rules.robot_radius -= kRounding * map.radius();
     const Clearance clearance(map, rules);
-    holds = map.origin() == task.origin;
-    for (std::size_t i = 1; holds && i < path.size(); ++i) {
-      const Eigen::Vector3f& from = path[i - 1].position;
-      holds = clearance.isKnown(from, path[i].position) && clearance.isClear(from, path[i].position);
+    for (std::size_t i = 1; holds && i < path.points.size(); ++i) {
+      const Eigen::Vector3f from = map.toLocal(path.points[i - 1]);
+      const Eigen::Vector3f to = map.toLocal(path.points[i]);
+      holds = clearance.isKnown(from, to) && clearance.isClear(from, to);
     }
   });
   return holds;
@@ -94,8 +102,16 @@ std::vector<Waypoint> shortened(std::vector<Waypoint> path, const PathTask& task
   return shortcut.path();
 }
 
-// Plans once, with the task's margin. True when the answer stands; false when the map changed, or time is up.
-bool plan(const PathRequest& request, PathTask& task, float margin, Clock::time_point deadline, PlannedPath& answer) {
+void withdraw(PlannedPath& answer) {
+  answer.outcome = PathOutcome::kTimeout;
+  answer.points.clear();
+  answer.length = answer.cost = 0.0;
+}
+
+// Plans with one margin, in atomic radii.
+PlannedPath plan(const PathRequest& request, PathTask& task, float margin, Clock::time_point deadline) {
+  PlannedPath answer;
+  answer.nearest = request.start;
   std::vector<PathSearch> search;  // one, unless an end will not do
   task.read([&](const AtomMap& map) {
     task.origin = map.origin();
@@ -104,24 +120,44 @@ bool plan(const PathRequest& request, PathTask& task, float margin, Clock::time_
     task.rules.goal = map.toLocal(request.goal);
     if (examineEnds(map, request, task, answer)) search.push_back(beginSearch(map, task));
   });
-  if (search.empty()) return true;
+  if (search.empty()) return answer;
 
   auto state = PathSearch::State::kSearching;
   const bool is_done = advance(task, deadline, [&](const AtomMap& map, Clock::time_point end) {
     state = search.front().advance(map, end);
     return state != PathSearch::State::kSearching;
   });
-  answer.expanded += search.front().expanded();
+  answer.expanded = search.front().expanded();
   answer.nearest = search.front().nearest().cast<double>() + task.origin;
   answer.outcome = is_done ? PathOutcome::kNoConnection : PathOutcome::kTimeout;
-  if (state != PathSearch::State::kFound) return is_done;
+  if (state != PathSearch::State::kFound) return answer;
   std::vector<Waypoint> path = search.front().path();
   if (request.shortcut) path = shortened(std::move(path), task, deadline);
-  answer.outcome = PathOutcome::kTimeout;
-  if (!stillHolds(path, task)) return false;
-  answer.outcome = PathOutcome::kFound;
   fill(answer, path, task);
-  return true;
+  answer.outcome = PathOutcome::kFound;
+  task.max_cost = search.front().cost() / kDetour;
+  return answer;
+}
+
+// Whether it is worth trying a lesser margin than that of the answer.
+bool mayGain(const PlannedPath& answer, float margin, const PathRequest& request) {
+  if (answer.outcome != PathOutcome::kFound) return answer.outcome == PathOutcome::kNoConnection;
+  return margin == kMargins.front() && answer.cost > kDetour * (request.goal - request.start).norm();
+}
+
+// Plans with one margin after the other.
+PlannedPath planOnce(const PathRequest& request, PathTask& task, Clock::time_point deadline) {
+  PlannedPath answer;
+  std::uint32_t expanded = 0;
+  task.max_cost = std::numeric_limits<double>::infinity();
+  for (const float margin : kMargins) {
+    PlannedPath planned = plan(request, task, margin, deadline);
+    expanded += planned.expanded;
+    if (planned.outcome == PathOutcome::kFound || answer.outcome != PathOutcome::kFound) answer = std::move(planned);
+    if (!mayGain(answer, margin, request)) break;
+  }
+  answer.expanded = expanded;
+  return answer;
 }
 
 }  // namespace
@@ -142,13 +178,13 @@ PlannedPath planPath(const ReadMap& read, const PathRequest& request, const Gaus
       begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(request.timeout));
   PathTask task{read, Eigen::Vector3d::Zero(), request.preference, {regression, request.preference.robot_radius}};
   PlannedPath answer;
-  answer.nearest = request.start;
-  float margin = kMargin;
+  std::uint32_t expanded = 0;
   do {
-    const bool stands = plan(request, task, margin, deadline, answer);
-    if (stands && (answer.outcome != PathOutcome::kNoConnection || margin <= 0.0F)) break;
-    if (stands) margin = 0.0F;
-  } while (Clock::now() < deadline);
+    answer = planOnce(request, task, deadline);
+    expanded += answer.expanded;
+    if (answer.outcome == PathOutcome::kFound && !stillHolds(answer, task)) withdraw(answer);
+  } while (answer.outcome == PathOutcome::kTimeout && Clock::now() < deadline);
+  answer.expanded = expanded;
   answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return answer;
 }

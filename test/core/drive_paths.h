@@ -137,7 +137,7 @@ class PathWorld {
 inline void expectGoodPaths(const PathFigures& figures) {
   EXPECT_GE(figures.found, figures.pairs * 95 / 100);
   EXPECT_GE(figures.nearest, kRobot - 0.5 * kAtom);
-  EXPECT_LE(share(figures.length_ratio, 0.99), 1.15);
+  EXPECT_LE(share(figures.length_ratio, 1.0), 1.15);
   EXPECT_LE(share(figures.seconds, 0.95), 0.5);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -44,9 +45,9 @@ class PathSearch {
  public:
   enum class State { kSearching, kFound, kExhausted };
 
-  // Start and goal as in the rules, and safe. `radius` of the atoms.
+  // Start and goal as in the rules, and safe. `radius` of the atoms. A path that costs more than max_cost is none.
   PathSearch(const Waypoint& start, const Waypoint& goal, float radius, const PathPreference& preference,
-             const SafetyRules& rules);
+             const SafetyRules& rules, double max_cost = std::numeric_limits<double>::infinity());
 
   // Searches until it is done or, up to a millisecond late, until the deadline.
   State advance(const AtomMap& map, std::chrono::steady_clock::time_point deadline);
@@ -88,6 +89,7 @@ class PathSearch {
   PathPreference preference_;
   SafetyRules rules_;
   float reach_;
+  double max_cost_;
   std::vector<Record> nodes_;
   std::unordered_map<Eigen::Vector3f, Node, HashCenter> atoms_;
   std::vector<Way> open_;  // a heap, the least estimate on top
