@@ -41,13 +41,26 @@ void interpolatedOccupancy(benchmark::State& state) {
 }
 BENCHMARK(interpolatedOccupancy);
 
-void regressed(benchmark::State& state, Mode mode) {
-  const LargeMap& large = millionAtoms(mode);
+void regressedOccupancy(benchmark::State& state) {
+  const LargeMap& large = millionAtoms(Mode::kOccupancy);
   GaussianProcess process(large.map(), large.parameters().gaussian_process);
   askEach(state, large.drawPoints(kQueries, 1), [&](const auto& point) { return process.estimate(point); });
 }
-BENCHMARK_CAPTURE(regressed, occupancy, Mode::kOccupancy);
-BENCHMARK_CAPTURE(regressed, signedDistance, Mode::kSignedDistance);
+BENCHMARK(regressedOccupancy);
+
+// Near surfaces, where the map knows them.
+void signedDistances(benchmark::State& state) {
+  const LargeMap& large = millionAtoms(Mode::kSignedDistance);
+  GaussianProcess process(large.map(), large.parameters().gaussian_process);
+  Random random(2);
+  std::vector<Eigen::Vector3f> points;
+  for (const MapRay& ray : large.drawRays(kQueries, 0.0F, 1)) {
+    const Eigen::Vector3f back = (ray.sensor - ray.end).normalized();
+    points.emplace_back(ray.end + 2.0F * large.map().radius() * random.uniform() * back);
+  }
+  askEach(state, points, [&](const auto& point) { return process.estimate(point); });
+}
+BENCHMARK(signedDistances);
 
 void collisionSpheres(benchmark::State& state, bool unknown_is_free) {
   const LargeMap& large = millionAtoms(Mode::kOccupancy);

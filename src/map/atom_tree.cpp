@@ -6,7 +6,8 @@
 
 namespace atom_map {
 
-AtomTree::AtomTree(float cell, int value_count) : cells_per_metre_(1.0F / cell), value_count_(value_count) {
+AtomTree::AtomTree(float cell, int value_count)
+    : cell_(cell), cells_per_metre_(1.0F / cell), value_count_(value_count) {
   assert(cell > 0.0F && value_count >= 1 && value_count <= 2);
 }
 
@@ -134,7 +135,7 @@ AtomTree::Child AtomTree::removeBelow(Child child, const CellRange& range, const
 }
 
 void AtomTree::clear() {
-  *this = AtomTree(1.0F / cells_per_metre_, value_count_);
+  *this = AtomTree(cell_, value_count_);
 }
 
 std::size_t AtomTree::bytes() const {

@@ -14,7 +14,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -90,6 +92,9 @@ class AtomTree {
   std::size_t bytes() const;  // heap bytes held, of atoms and index
 
  private:
+  // Of a coordinate or of the difference of two near it, with two roundings to spare.
+  static constexpr float kRounding = 4e-7F;
+
   // A child is an inner node's index, or the complement of a leaf's.
   using Child = std::int32_t;
   struct Inner {
@@ -99,6 +104,23 @@ class AtomTree {
     std::uint8_t axis;
 
     int side(const CellKey& k) const { return k.cell[axis] >= plane ? 1 : 0; }
+  };
+  // From a point to the box that a child's way through the planes leaves.
+  struct Gap {
+    std::array<float, 3> along{};  // m, of each axis
+    float squared = 0.0F;
+
+    // To the part of the box that begins at that distance along an axis, where that is greater.
+    float squaredBeyond(int axis, float distance) const {
+      const float before = along[static_cast<std::size_t>(axis)];
+      return squared + (distance - before) * (distance + before);
+    }
+    Gap beyond(int axis, float distance) const {
+      Gap gap = *this;
+      gap.squared = squaredBeyond(axis, distance);
+      gap.along[static_cast<std::size_t>(axis)] = distance;
+      return gap;
+    }
   };
   // A straight way's part from share `begin` to share `end` of `way`.
   struct Segment {
@@ -115,9 +137,6 @@ class AtomTree {
     int side;
   };
   static constexpr Child kRoot = -1;
-
-  // Of a coordinate or of the difference of two near it, with two roundings to spare.
-  static constexpr float kRounding = 4e-7F;
 
   static bool isLeaf(Child c) { return c < 0; }
   AtomBlock& leaf(Child c) { return leaves_[static_cast<std::size_t>(~c)]; }
@@ -138,15 +157,20 @@ class AtomTree {
   std::size_t depthBelow(Child child) const;
 
   float planeOf(const Inner& node) const {
-    return static_cast<float>(static_cast<std::int64_t>(node.plane) - CellKey::kOffset) / cells_per_metre_;
+    return static_cast<float>(static_cast<std::int32_t>(node.plane - CellKey::kOffset)) * cell_;
   }
   template <class Visit>
   void visitLeaves(Child child, const CellRange& range, Visit&& visit) const;
+  template <class FindLeaves, class Visit>
+  void visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const;
+  template <class Visit>
+  void visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap, Visit&& visit) const;
   template <class Visit>
   void visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const;
   void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
                      std::vector<Neighbor>& best) const;
 
+  float cell_;  // m
   float cells_per_metre_;
   int value_count_;
   std::size_t size_ = 0;

@@ -22,6 +22,43 @@ void AtomTree::visitLeaves(Child child, const CellRange& range, Visit&& visit) c
   visit(child);
 }
 
+// Calls visit(block) for each leaf that find_leaves(found) calls found(child) for, in that order, but some leaves later:
+// most of a search in a large map is waiting for memory.
+template <class FindLeaves, class Visit>
+void AtomTree::visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const {
+  constexpr std::size_t kAhead = 8;
+  std::array<Child, kAhead> waiting{};
+  std::size_t found = 0;
+  find_leaves([&](Child child) {
+    leaf(child).prefetch();
+    if (found >= kAhead) visit(leaf(waiting[found % kAhead]));
+    waiting[found++ % kAhead] = child;
+  });
+  for (std::size_t i = found - std::min(found, kAhead); i < found; ++i) visit(leaf(waiting[i % kAhead]));
+}
+
+// Calls visit(leaf's child reference) for each leaf whose box comes nearer to p than the radius.
+template <class Visit>
+void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap,
+                                 Visit&& visit) const {
+  while (!isLeaf(child)) {
+    const Inner& node = inner(child);
+    const float plane = planeOf(node);
+    const float offset = p[node.axis] - plane;
+    const bool is_above = offset >= 0.0F;
+    const float distance = std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane));
+    if (gap.squaredBeyond(node.axis, distance) >= squared_radius) {
+      child = node.children[is_above ? 1 : 0];
+      continue;
+    }
+    const Gap beyond = gap.beyond(node.axis, distance);
+    visitLeavesWithin(node.children[0], p, squared_radius, is_above ? beyond : gap, visit);
+    if (!is_above) gap = beyond;
+    child = node.children[1];
+  }
+  visit(child);
+}
+
 template <class Visit>
 void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) {
   std::as_const(*this).forEachWithin(p, radius, [&](ConstAtomRef atom, float squared_distance) {
@@ -32,11 +69,10 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
 template <class Visit>
 void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) const {
   if (size_ == 0) return;
-  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
   const float squared_radius = radius * radius;
   using Lane = AtomBlock::Lane;
-  visitLeaves(root_, keysOf({p - reach, p + reach}), [&](Child child) {
-    const AtomBlock& block = leaf(child);
+  const auto find_leaves = [&](const auto& found) { visitLeavesWithin(root_, p, squared_radius, Gap(), found); };
+  visitPrefetched(find_leaves, [&](const AtomBlock& block) {
     for (std::uint32_t lane = 0; lane < block.size(); lane += AtomBlock::kLane) {
       const Lane squared = (block.lane(0, lane) - p.x()).square() + (block.lane(1, lane) - p.y()).square() +
                            (block.lane(2, lane) - p.z()).square();
@@ -82,8 +118,9 @@ void AtomTree::forEachAlong(const Eigen::Vector3f& from, const Eigen::Vector3f& 
   const float squared_length = way.squaredNorm();
   const Eigen::Vector3f to_share = squared_length > 0.0F ? Eigen::Vector3f(way / squared_length) : way;
   const float squared_radius = radius * radius;
-  visitLeavesAlong(root_, Segment{from, way, 0.0F, 1.0F}, radius, [&](Child child) {
-    const AtomBlock& block = leaf(child);
+  const Segment whole{from, way, 0.0F, 1.0F};
+  const auto find_leaves = [&](const auto& found) { visitLeavesAlong(root_, whole, radius, found); };
+  visitPrefetched(find_leaves, [&](const AtomBlock& block) {
     const float* x = block.channel(0);
     const float* y = block.channel(1);
     const float* z = block.channel(2);
