@@ -98,12 +98,12 @@ void AtomTree::visitLeavesAlong(Child child, Segment part, float radius, Visit&&
     const bool below = std::min(begin, end) < reach;
     const bool above = std::max(begin, end) >= -reach;
     if (below && above) {
-      const auto shareAt = [&](float offset) { return (plane + offset - part.start[node.axis]) / way; };
+      const auto share_at = [&](float offset) { return (plane + offset - part.start[node.axis]) / way; };
       Segment lower = part;
-      if (end > reach) lower.end = shareAt(reach);
-      if (begin > reach) lower.begin = shareAt(reach);
-      if (begin < -reach) part.begin = shareAt(-reach);
-      if (end < -reach) part.end = shareAt(-reach);
+      if (end > reach) lower.end = share_at(reach);
+      if (begin > reach) lower.begin = share_at(reach);
+      if (begin < -reach) part.begin = share_at(-reach);
+      if (end < -reach) part.end = share_at(-reach);
       visitLeavesAlong(node.children[0], lower, radius, visit);
     }
     child = node.children[above ? 1 : 0];
