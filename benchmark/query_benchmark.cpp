@@ -1,5 +1,5 @@
-// What queries cost on a map of a million atoms, r = 0.25 m, one thread (the surface: two). `items_per_second` is to be held
-// against the figures in README.md.
+// What queries cost on a map of a million atoms, r = 0.25 m, by one thread. Only a whole surface is of 100,000 atoms and two
+// threads.
 #include <benchmark/benchmark.h>
 
 #include "atom_mapping/planning/plan_path.h"
