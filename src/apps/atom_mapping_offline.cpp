@@ -1,8 +1,5 @@
 // Maps a bag at full speed, as atom_mapping_node would map it live. Needs no roscore.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -10,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/baseline/export_octree.h"
 #include "atom_mapping/io/export_atoms.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
-#include "atom_mapping/ros/bag_progress.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/bag_summary.h"
+#include "atom_mapping/ros/insert_bag.h"
 #include "atom_mapping/ros/read_parameters.h"
 #include "atom_mapping/ros/scan_server.h"
 
@@ -58,18 +56,6 @@ atom_map::MappingParameters makeParameters(const Options& options) {
   return atom_mapping::readParameters(values).mapping;
 }
 
-BagSummary mapBag(BagReader& bag, std::size_t scans, ScanServer& server) {
-  atom_mapping::BagProgress progress(scans, std::cerr, isatty(STDERR_FILENO) == 1);
-  BagSummary summary;
-  for (std::size_t i = 0; i < scans; ++i) {
-    const auto cloud = bag.next();
-    if (!cloud) break;
-    summary.add(server.insert(*cloud, bag.transforms()));
-    progress.step();
-  }
-  return summary;
-}
-
 // Why a run mapped nothing.
 std::string explain(const BagReader& bag, const ScanServer& server, const BagSummary& summary) {
   const bool lacks_transforms = server.counts().droppedFor(atom_mapping::Drop::kNoTransform) > 0;
@@ -93,7 +79,8 @@ void run(const Options& options) {
   if (bag.clouds() == 0) throw BadBag(options.bag + " holds not one cloud on " + bag.cloudTopic());
 
   const Clock::time_point start = Clock::now();
-  const BagSummary summary = mapBag(bag, std::min(options.scans.value_or(bag.clouds()), bag.clouds()), server);
+  BagSummary summary;
+  insertBag(bag, options.scans, server, [&](const atom_mapping::ScanOutcome& outcome) { summary.add(outcome); });
   std::cout << options.bag << ", " << bag.cloudTopic() << "\n";
   summary.print(std::chrono::duration<double>(Clock::now() - start).count(), std::cout);
   if (summary.mapped() == 0) throw BadBag(explain(bag, server, summary));
@@ -104,24 +91,11 @@ void run(const Options& options) {
   }
 }
 
-int fail(const std::string& message) {
-  std::cerr << "atom_mapping_offline: " << message << std::endl;
-  return 2;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Maps the clouds of a bag at full speed, without a roscore.");
+  CLI::App app("Maps the clouds of a bag at full speed, without a roscore.", "atom_mapping_offline");
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
-    run(options);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : fail(error.what());
-  } catch (const std::exception& error) {
-    return fail(error.what());
-  }
-  return 0;
+  return atom_mapping::runProgram(app, argc, argv, [&] { run(options); });
 }

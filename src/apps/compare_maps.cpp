@@ -1,19 +1,17 @@
 // Both modes of the atom map and OctoMap on the same scans of a bag, in one process: what each costs, and how well it
 // agrees with the bag's own rays.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/baseline/octomap_baseline.h"
 #include "atom_mapping/evaluation/comparison.h"
 #include "atom_mapping/io/write_file.h"
-#include "atom_mapping/ros/bag_progress.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/cloud_server.h"
+#include "atom_mapping/ros/insert_bag.h"
 #include "atom_mapping/ros/read_parameters.h"
 
 namespace {
@@ -99,14 +97,7 @@ class ContestServer : public atom_mapping::CloudServer {
 
 void mapBag(const Options& options, ContestServer& server) {
   BagReader bag(options.bag, options.cloud_topic);
-  const std::size_t scans = std::min(options.scans.value_or(bag.clouds()), bag.clouds());
-  atom_mapping::BagProgress progress(scans, std::cerr, isatty(STDERR_FILENO) == 1);
-  for (std::size_t i = 0; i < scans; ++i) {
-    const auto cloud = bag.next();
-    if (!cloud) break;
-    server.insert(*cloud, bag.transforms());
-    progress.step();
-  }
+  insertBag(bag, options.scans, server, [](const atom_mapping::ScanOutcome&) {});
   if (server.counts().mapped == 0) {
     throw BadBag("nothing of " + options.bag + " was mapped: " + server.counts().last_drop);
   }
@@ -144,24 +135,12 @@ void run(Options options) {
   if (!options.json.empty()) atom_map::writeFigures(all, options.json);
 }
 
-int fail(const std::string& message) {
-  std::cerr << "compare_maps: " << message << std::endl;
-  return 2;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Maps a bag by atoms and by OctoMap side by side: time, memory, agreement with its rays.");
+  CLI::App app("Maps a bag by atoms and by OctoMap side by side: time, memory, agreement with its rays.",
+               "compare_maps");
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
-    run(options);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : fail(error.what());
-  } catch (const std::exception& error) {
-    return fail(error.what());
-  }
-  return 0;
+  return atom_mapping::runProgram(app, argc, argv, [&] { run(options); });
 }

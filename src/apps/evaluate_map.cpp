@@ -2,11 +2,11 @@
 // returns, OctoMap of equal unit volume.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/evaluation/compared_map.h"
 #include "atom_mapping/evaluation/heap_in_use.h"
 #include "atom_mapping/evaluation/map_figures.h"
@@ -168,15 +168,9 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  CLI::App app("Judges the maps of a simulated drive against the scene's exact truth, OctoMap beside the atoms.",
+               "evaluate_map");
   Options options;
-  CLI::App app("Judges the maps of a simulated drive against the scene's exact truth, OctoMap beside the atoms.");
   addOptions(app, options);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    run(options);
-  } catch (const std::exception& fault) {
-    std::fprintf(stderr, "evaluate_map: %s\n", fault.what());
-    return 2;
-  }
-  return 0;
+  return atom_mapping::runProgram(app, argc, argv, [&] { run(options); });
 }

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/base/describe_parameters.h"
 #include "atom_mapping/io/map_file.h"
 
@@ -68,15 +69,10 @@ void print(const std::string& file) {
 
 int main(int argc, char** argv) {
   std::string file;
-  CLI::App app("Prints what a map file holds, once all of it was checked.");
+  CLI::App app("Prints what a map file holds, once all of it was checked.", "map_info");
   app.add_option("map", file, "From ~save_map or atom_mapping_offline --save")->required();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return atom_mapping::runProgram(app, argc, argv, [&] {
     std::cout << std::setprecision(9);  // of coordinates far from the origin
     print(file);
-  } catch (const std::exception& error) {
-    std::cerr << "map_info: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,10 +1,10 @@
 // merge_maps A.h5 B.h5 --out C.h5: two robots' maps, or two days', made one. Occupancy mode.
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
-#include <exception>
 #include <iostream>
 #include <vector>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/base/angles.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
@@ -53,17 +53,11 @@ int main(int argc, char** argv) {
   std::string b;
   std::string out;
   std::vector<double> transform(6, 0.0);
-  CLI::App app("Merges map B into map A as a scan is merged; frame and parameters of the outcome are A's.");
+  CLI::App app("Merges map B into map A as a scan is merged; frame and parameters of the outcome are A's.",
+               "merge_maps");
   app.add_option("A", a, "Map file")->required();
   app.add_option("B", b, "Map file")->required();
   app.add_option("--transform", transform, "B's frame to A's: x y z (m) roll pitch yaw (deg)")->expected(6);
   app.add_option("--out", out, "Map file to write; may be A or B")->required();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    merge(a, b, toPose(transform), out);
-  } catch (const std::exception& error) {
-    std::cerr << "merge_maps: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  return atom_mapping::runProgram(app, argc, argv, [&] { merge(a, b, toPose(transform), out); });
 }

@@ -1,8 +1,7 @@
 // render_map ATOMS.ply --out MAP.png: a picture of a map that atom_mapping_offline exported. Needs no screen.
 #include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/io/read_atoms.h"
 #include "atom_mapping/io/render_atoms.h"
 
@@ -10,7 +9,7 @@ int main(int argc, char** argv) {
   std::string atoms_file;
   std::string png_file = "map.png";
   atom_map::RenderOptions options;
-  CLI::App app("Draws the occupied atoms of a map, coloured by height.");
+  CLI::App app("Draws the occupied atoms of a map, coloured by height.", "render_map");
   app.add_option("atoms", atoms_file, "PLY file from atom_mapping_offline --export")
       ->required()
       ->check(CLI::ExistingFile);
@@ -23,14 +22,9 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(5.0, 85.0));
   app.add_option("--cut-z", options.cut_z, "leave out atoms above this height, m; by default from a ceiling up");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return atom_mapping::runProgram(app, argc, argv, [&] {
     const atom_map::ExportedAtoms atoms = atom_map::readAtoms(atoms_file);
     options.cut_z -= atoms.origin.z();
     atom_map::renderAtoms(atom_map::occupiedCenters(atoms), atoms.radius, options, png_file);
-  } catch (const std::exception& error) {
-    std::cerr << "render_map: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
+#include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/base/angles.h"
 #include "atom_mapping/ros/simulated_messages.h"
 #include "atom_mapping/sim/make_scene.h"
@@ -123,29 +125,23 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_flag("--organized", options.organized, "Clouds of 16 rows x 1800 columns, +Inf where nothing came back");
 }
 
-int fail(const std::string& message) {
-  std::fprintf(stderr, "simulate_bag: %s\n", message.c_str());
-  return 2;
+void run(const Options& options) {
+  try {
+    rosbag::Bag bag(options.out, rosbag::bagmode::Write);
+    writeDrive(options, bag);
+    bag.close();
+  } catch (const std::exception& fault) {
+    throw std::runtime_error("cannot write " + options.out + ": " + fault.what());
+  }
+  std::printf("%s: %d scans of %s\n", options.out.c_str(), options.scans, options.scene.c_str());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes a bag of a simulated VLP-16 (/velodyne_points, /tf, /tf_static) driven through a scene.");
+  CLI::App app("Writes a bag of a simulated VLP-16 (/velodyne_points, /tf, /tf_static) driven through a scene.",
+               "simulate_bag");
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : fail(error.what());
-  }
-  try {
-    rosbag::Bag bag(options.out, rosbag::bagmode::Write);
-    writeDrive(options, bag);
-    bag.close();
-  } catch (const std::exception& error) {
-    return fail("cannot write " + options.out + ": " + error.what());
-  }
-  std::printf("%s: %d scans of %s\n", options.out.c_str(), options.scans, options.scene.c_str());
-  return 0;
+  return atom_mapping::runProgram(app, argc, argv, [&] { run(options); });
 }

@@ -62,7 +62,7 @@ class MapFileTest(unittest.TestCase):
         damaged[3000] ^= 1
         pathlib.Path('damaged.h5').write_bytes(damaged)
         info = run('map_info', 'damaged.h5')
-        self.assertEqual((info.returncode, info.stdout), (1, ''))
+        self.assertEqual((info.returncode, info.stdout), (2, ''))
         self.assertIn('cannot load damaged.h5: it is damaged', info.stderr)
 
     def testAMapIsMergedWithItselfHereAndElsewhere(self):

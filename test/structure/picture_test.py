@@ -51,7 +51,7 @@ class PictureTest(unittest.TestCase):
 
     def testSaysWhenThereIsNothingToDraw(self):
         process, png = render([(0, 0, 0, -1)])
-        self.assertEqual((process.returncode, png), (1, b''))
+        self.assertEqual((process.returncode, png), (2, b''))
         self.assertIn('no occupied atom', process.stderr)
 
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "atom_mapping/ros/bag_reader.h"
+#include "atom_mapping/ros/cloud_server.h"
+
+namespace atom_mapping {
+
+// Gives a server the clouds of a bag, one after another, of more than `scans` the first ones; stderr tells how far it is.
+// `each` is called with what became of each cloud.
+void insertBag(BagReader& bag, std::optional<std::size_t> scans, CloudServer& server,
+               const std::function<void(const ScanOutcome&)>& each);
+
+}  // namespace atom_mapping

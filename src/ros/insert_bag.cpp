@@ -1,0 +1,24 @@
+#include "atom_mapping/ros/insert_bag.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "atom_mapping/ros/bag_progress.h"
+
+namespace atom_mapping {
+
+void insertBag(BagReader& bag, std::optional<std::size_t> scans, CloudServer& server,
+               const std::function<void(const ScanOutcome&)>& each) {
+  const std::size_t total = std::min(scans.value_or(bag.clouds()), bag.clouds());
+  BagProgress progress(total, std::cerr, isatty(STDERR_FILENO) == 1);
+  for (std::size_t i = 0; i < total; ++i) {
+    const auto cloud = bag.next();
+    if (!cloud) return;
+    each(server.insert(*cloud, bag.transforms()));
+    progress.step();
+  }
+}
+
+}  // namespace atom_mapping
