@@ -41,13 +41,9 @@ std::size_t OctomapBaseline::insertScan(const std::vector<Eigen::Vector3f>& retu
     const octomap::point3d end = toOctomap(sensor * point.cast<double>());
     if (is_inside(end)) cloud.push_back(end);
   }
-  // Lazy: OctoMap joins equal children in an eager update, whatever it is told, and is slower.
-  constexpr bool kLazy = true;
-  tree_.insertPointCloud(cloud, origin, max_range, kLazy);
-  if (prune_) {
-    tree_.updateInnerOccupancy();
-    tree_.prune();
-  }
+  // OctoMap joins equal children in an eager update, whatever it is told; a lazy one is quicker.
+  const bool lazy = !prune_;
+  tree_.insertPointCloud(cloud, origin, max_range, lazy);
   return cloud.size();
 }
 

@@ -77,7 +77,7 @@ struct PlanningParameters {
 // OctoMap beside the atom map, fed with the same scans.
 struct OctomapParameters {
   double resolution = 0.0;  // m, side of a voxel; 0: that of a voxel with the volume of an atom
-  bool prune = false;       // whether equal voxels are joined after each scan (the paper's comparison does not)
+  bool prune = false;       // whether equal voxels are joined as the map grows (the paper's comparison does not)
 };
 
 struct MappingParameters {

@@ -21,7 +21,8 @@ octomap::point3d toOctomap(const Eigen::Vector3d& point);
 class OctomapBaseline {
  public:
   // OctoMap's own defaults (hit 0.7, miss 0.4, clamps 0.12 and 0.97), depth 16. `resolution`: side of a voxel, m.
-  // Without pruning no node is ever joined (the paper's setting); with it, the tree is pruned after each scan.
+  // Without pruning no node is ever joined (the paper's setting); with it, equal ones are joined at each update, as in
+  // octomap_server.
   explicit OctomapBaseline(double resolution, bool prune = false);
 
   // Merges the returns of one scan, in the sensor's frame; a return beyond `max_range`, unless that is negative, only
