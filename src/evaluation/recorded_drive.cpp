@@ -19,7 +19,7 @@ Pose slopePose(double degrees) {
 }  // namespace
 
 RecordedDrive recordDrive(const Scene& scene, const Trajectory& trajectory, const LidarModel& model, int scans,
-                          std::uint64_t seed, const ScanParameters& parameters) {
+                          std::uint64_t seed, const ScanParameters& parameters, std::size_t stride) {
   RecordedDrive drive;
   for (int i = 0; i < scans; ++i) {
     const double stamp = model.period * i;
@@ -27,11 +27,7 @@ RecordedDrive recordDrive(const Scene& scene, const Trajectory& trajectory, cons
     const Pose pose = trajectory.sensorPose(stamp);
     drive.scans.push_back(toLidarScan(scan));
     drive.poses.push_back(pose);
-    for (const SimulatedReturn& r : scan.returns) {
-      if (!isInRange(r.point, parameters)) continue;
-      const Vector3d normal = pose.linear() * r.true_normal.cast<double>();
-      drive.rays.push_back({pose.translation(), pose * r.point.cast<double>(), normal, isThin(r.kind)});
-    }
+    addRays(scan, pose, parameters, stride, drive.rays);
   }
   return drive;
 }

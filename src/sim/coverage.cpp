@@ -17,6 +17,16 @@ void addRays(const LidarScan& scan, const Pose& sensor, const ScanParameters& pa
   }
 }
 
+void addRays(const SimulatedScan& scan, const Pose& sensor, const ScanParameters& parameters, std::size_t stride,
+             std::vector<ObservedRay>& rays) {
+  for (std::size_t i = 0; i < scan.returns.size(); i += stride) {
+    const SimulatedReturn& r = scan.returns[i];
+    if (!isInRange(r.point, parameters)) continue;
+    const Eigen::Vector3d normal = sensor.linear() * r.true_normal.cast<double>();
+    rays.push_back({sensor.translation(), sensor * r.point.cast<double>(), normal, isThin(r.kind)});
+  }
+}
+
 Coverage measureCoverage(const std::vector<ObservedRay>& rays, double radius, const AskOccupancy& ask,
                          const AskTrueDistance& true_distance, std::uint64_t seed) {
   Coverage coverage;

@@ -17,14 +17,7 @@ namespace atom_map {
 inline std::vector<ObservedRay> raysOf(const Drive& drive) {
   std::vector<ObservedRay> rays;
   for (std::size_t i = 0; i < drive.simulated.size(); ++i) {
-    const Pose& pose = drive.poses[i];
-    for (std::size_t k = i % 3; k < drive.simulated[i].returns.size(); k += 3) {
-      const SimulatedReturn& r = drive.simulated[i].returns[k];
-      const float range = r.point.norm();
-      if (range < 0.5F || range > 25.0F) continue;
-      const Eigen::Vector3d normal = pose.linear() * r.true_normal.cast<double>();
-      rays.push_back({pose.translation(), pose * r.point.cast<double>(), normal, isThin(r.kind)});
-    }
+    addRays(drive.simulated[i], drive.poses[i], ScanParameters(), 3, rays);
   }
   return rays;
 }

@@ -16,9 +16,9 @@ struct RecordedDrive {
   std::vector<ObservedRay> rays;
 };
 
-// Of the rays those that are in the range of the parameters.
+// Of the rays every `stride`-th of a scan that is in the range of the parameters.
 RecordedDrive recordDrive(const Scene& scene, const Trajectory& trajectory, const LidarModel& model, int scans,
-                          std::uint64_t seed, const ScanParameters& parameters);
+                          std::uint64_t seed, const ScanParameters& parameters, std::size_t stride = 1);
 
 // Ground that rises along x by some degrees, and a robot that climbs it at 1 m/s, its lidar 1.6 m above and level with it
 // (paper, Fig. 9).

@@ -11,6 +11,7 @@
 #include "atom_mapping/base/parameters.h"
 #include "atom_mapping/base/types.h"
 #include "atom_mapping/query/occupancy.h"
+#include "atom_mapping/sim/simulate_scan.h"
 
 namespace atom_map {
 
@@ -27,6 +28,10 @@ bool isInRange(const Eigen::Vector3f& point, const ScanParameters& parameters);
 
 // Adds every `stride`-th of a recorded scan's returns, where it is in range. `sensor`: sensor frame to map frame.
 void addRays(const LidarScan& scan, const Pose& sensor, const ScanParameters& parameters, std::size_t stride,
+             std::vector<ObservedRay>& rays);
+
+// The same of a simulated scan, with the true normals.
+void addRays(const SimulatedScan& scan, const Pose& sensor, const ScanParameters& parameters, std::size_t stride,
              std::vector<ObservedRay>& rays);
 
 // Of a point of the map frame.
