@@ -22,8 +22,6 @@ using atom_map::MappingParameters;
 using atom_mapping::BadBag;
 using atom_mapping::BagReader;
 
-constexpr std::size_t kRayStride = 7;  // of the returns, every seventh is asked for
-
 struct Options {
   std::string bag;
   std::string config;
@@ -32,7 +30,9 @@ struct Options {
   std::optional<double> max_range;
   std::optional<std::size_t> scans;
   double voxel = 0.0;  // m; 0: of equal volume
+  std::size_t stride = 7;
   bool no_filter = false;
+  bool pruned = false;
   std::string json;
 };
 
@@ -45,7 +45,12 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--scans", options.scans, "Map so many, no more")->check(CLI::Range(1, 1000000000));
   app.add_option("--voxel", options.voxel, "Side of OctoMap's voxels, metres (of an atom's volume)")
       ->check(CLI::Range(0.01, 100.0));
+  app.add_option("--stride", options.stride, "Of a scan's returns every so many is asked about")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   app.add_flag("--no-filter", options.no_filter, "Every map gets all returns in range, none is thinned");
+  app.add_flag("--pruned", options.pruned,
+               "Also an OctoMap that joins equal voxels as it grows, as octomap_server runs it");
   app.add_option("--json", options.json, "Write the figures: an object, of several radii an array of them");
 }
 
@@ -67,18 +72,16 @@ struct Contest {
 Contest makeContest(MappingParameters parameters, double radius, const Options& options) {
   parameters.radius = radius;
   const double voxel = options.voxel > 0.0 ? options.voxel : atom_map::equalVolumeVoxel(radius);
-  return {
-      radius, voxel,
-      Comparison({makeAtomMap(parameters, atom_map::Mode::kOccupancy),
-                  makeAtomMap(parameters, atom_map::Mode::kSignedDistance), makeOctomap(parameters, {voxel, false})})};
+  return {radius, voxel, Comparison(makeComparedMaps(parameters, voxel, options.pruned))};
 }
 
 // Feeds every map, and remembers the rays.
 class ContestServer : public atom_mapping::CloudServer {
  public:
-  ContestServer(const MappingParameters& parameters, std::vector<Contest>& contests)
+  ContestServer(const MappingParameters& parameters, std::size_t stride, std::vector<Contest>& contests)
       : CloudServer(parameters.map_frame, parameters.scan.clear_no_returns),
         parameters_(parameters.scan),
+        stride_(stride),
         contests_(contests) {}
 
   const std::vector<atom_map::ObservedRay>& rays() const { return rays_; }
@@ -86,11 +89,12 @@ class ContestServer : public atom_mapping::CloudServer {
  private:
   atom_map::ScanReport insertScan(const atom_map::LidarScan& scan, const atom_map::Pose& sensor) override {
     for (Contest& contest : contests_) contest.comparison.insertScan(scan, sensor);
-    addRays(scan, sensor, parameters_, kRayStride, rays_);
+    addRays(scan, sensor, parameters_, stride_, rays_);
     return {};
   }
 
   atom_map::ScanParameters parameters_;
+  std::size_t stride_;
   std::vector<Contest>& contests_;
   std::vector<atom_map::ObservedRay> rays_;
 };
@@ -121,7 +125,7 @@ void run(Options options) {
   if (options.radii.empty()) options.radii.push_back(parameters.radius);
   std::vector<Contest> contests;
   for (const double radius : options.radii) contests.push_back(makeContest(parameters, radius, options));
-  ContestServer server(parameters, contests);
+  ContestServer server(parameters, options.stride, contests);
   mapBag(options, server);
 
   nlohmann::ordered_json all;

@@ -110,6 +110,17 @@ TEST_F(CompareMaps, WithoutTheFilterEveryMapGetsAllReturns) {
   EXPECT_GT(whole.at("maps")[2].at("units"), thinned.at("maps")[2].at("units"));
 }
 
+TEST_F(CompareMaps, APrunedOctomapIsSmallerAndAnswersAlike) {
+  const json figures = compare("--radius 0.25 --pruned");
+  ASSERT_EQ(figures.at("maps").size(), 4U);
+  const json& plain = figures.at("maps")[2];
+  const json& pruned = figures.at("maps")[3];
+  EXPECT_EQ(pruned.at("name"), "octomap_pruned");
+  EXPECT_LT(pruned.at("bytes"), plain.at("bytes"));
+  EXPECT_LT(pruned.at("units"), plain.at("units"));
+  for (const char* key : {"free", "false_occupied", "unknown", "surface"}) EXPECT_EQ(pruned.at(key), plain.at(key));
+}
+
 TEST_F(CompareMaps, SaysWhatIsWrong) {
   expectFault("", "--bag is required");
   expectFault("--bag " + path("none.bag"), "cannot open " + path("none.bag"));

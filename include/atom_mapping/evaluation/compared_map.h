@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "atom_mapping/base/parameters.h"
 #include "atom_mapping/map/scan_report.h"
@@ -10,17 +12,31 @@
 
 namespace atom_map {
 
+// An atom, or a voxel.
+struct MapUnit {
+  Eigen::Vector3d center;  // map frame
+  double size;             // m: diameter, or side
+  double log_odds;         // in signed distance mode the negated distance, m
+};
+
 // A map to be compared with others, whichever it is.
 struct ComparedMap {
-  std::string name;  // atom_occupancy, atom_signed_distance or octomap
+  std::string name;  // atom_occupancy, atom_signed_distance, octomap or octomap_pruned
   std::function<ScanReport(const LidarScan&, const Pose&)> insert_scan;
   AskOccupancy ask;                      // as ~query_occupancy answers; from one thread at a time
   std::function<std::uint64_t()> units;  // atoms, or leaves of the octree
   std::function<void()> release;         // empties it and gives back the memory that it held
+  // What pictures are made of. The first is what `ask` classifies; in signed distance mode the negated distance (m).
+  std::function<std::optional<float>(const Eigen::Vector3d&)> log_odds = {};
+  std::function<std::vector<MapUnit>()> list_units = {};
 };
 
 // Both throw std::invalid_argument that names every parameter out of its range.
 ComparedMap makeAtomMap(MappingParameters parameters, Mode mode);
 ComparedMap makeOctomap(const MappingParameters& parameters, const OctomapParameters& octomap);
+
+// Both modes of the atom map, and OctoMap with voxels of `voxel` metres (0: of an atom's volume); if asked also an OctoMap
+// that joins equal voxels as it grows. Throws as those above.
+std::vector<ComparedMap> makeComparedMaps(const MappingParameters& parameters, double voxel, bool with_pruned);
 
 }  // namespace atom_map
