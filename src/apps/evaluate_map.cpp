@@ -2,31 +2,28 @@
 // returns, OctoMap of equal unit volume.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <functional>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "atom_mapping/apps/run_program.h"
-#include "atom_mapping/evaluation/compared_map.h"
-#include "atom_mapping/evaluation/heap_in_use.h"
-#include "atom_mapping/evaluation/map_figures.h"
+#include "atom_mapping/baseline/octomap_baseline.h"
+#include "atom_mapping/evaluation/comparison.h"
+#include "atom_mapping/evaluation/judge_quality.h"
+#include "atom_mapping/evaluation/map_picture.h"
 #include "atom_mapping/evaluation/recorded_drive.h"
-#include "atom_mapping/evaluation/surface_quality.h"
 #include "atom_mapping/io/write_file.h"
 #include "atom_mapping/sim/make_scene.h"
 
 namespace {
 
 using atom_map::ComparedMap;
-using atom_map::Coverage;
 using atom_map::MappingParameters;
 using atom_map::RecordedDrive;
 using atom_map::Scene;
-using atom_map::Share;
-using atom_map::SurfaceQuality;
 using nlohmann::ordered_json;
-
-constexpr std::uint64_t kSampleSeed = 7;  // of the points that the maps are asked for
 
 struct Options {
   std::string scene = "hall";
@@ -35,7 +32,10 @@ struct Options {
   int scans = 40;
   double noise = 0.02;
   std::uint32_t seed = 1;
+  std::size_t stride = 1;
   bool no_filter = false;
+  bool pruned = false;
+  bool picture = false;
   std::string json;
 };
 
@@ -46,13 +46,13 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--scans", options.scans)->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--noise", options.noise, "standard deviation of a range, metres")->capture_default_str();
   app.add_option("--seed", options.seed, "of the noise")->capture_default_str();
+  app.add_option("--stride", options.stride, "of a scan's rays every so many is asked about")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_flag("--no-filter", options.no_filter, "every map gets all returns in range, none is thinned");
+  app.add_flag("--pruned", options.pruned, "also an OctoMap that joins equal voxels as it grows");
+  app.add_flag("--picture", options.picture, "write every unit too, and of a scene log-odds in the plane z = 0");
   app.add_option("--json", options.json, "write the figures: an object, of several radii or slopes an array");
-}
-
-// Inside of these the sensor sees every surface, so that Eq. (13) makes sense.
-bool isClosed(const std::string& scene) {
-  return scene == "cube" || scene == "cube_rotated" || scene == "sphere";
 }
 
 MappingParameters makeParameters(const Options& options) {
@@ -64,88 +64,69 @@ MappingParameters makeParameters(const Options& options) {
 RecordedDrive record(const Scene& scene, const atom_map::Trajectory& trajectory, const Options& options) {
   atom_map::LidarModel model;
   model.noise_sigma = options.noise;
-  return recordDrive(scene, trajectory, model, options.scans, options.seed, makeParameters(options).scan);
+  return recordDrive(scene, trajectory, model, options.scans, options.seed, makeParameters(options).scan,
+                     options.stride);
 }
 
-std::vector<ComparedMap> mapDrive(const RecordedDrive& drive, double radius, const Options& options) {
-  MappingParameters parameters = makeParameters(options);
-  parameters.radius = radius;
-  std::vector<ComparedMap> maps{makeAtomMap(parameters, atom_map::Mode::kOccupancy),
-                                makeAtomMap(parameters, atom_map::Mode::kSignedDistance), makeOctomap(parameters, {})};
-  for (const ComparedMap& map : maps) {
-    for (std::size_t i = 0; i < drive.scans.size(); ++i) map.insert_scan(drive.scans[i], drive.poses[i]);
-  }
-  return maps;
-}
-
-void print(const char* name, const std::vector<Share>& shares) {
-  std::printf("%26s", name);
-  for (const Share& share : shares) std::printf(" %6.3f", share.value());
-  std::printf("\n%26s", "+-");
-  for (const Share& share : shares) std::printf(" %6.3f", atom_map::standardError(share));
+void print(const std::string& name, const std::vector<double>& values) {
+  std::printf("%26s", name.c_str());
+  for (const double value : values) std::printf(" %6.3f", value);
   std::printf("\n");
 }
 
-ordered_json toJson(const std::vector<Share>& shares, double (*value)(const Share&)) {
-  ordered_json all;
-  for (const Share& share : shares) all.push_back(value(share));
-  return all;
-}
+// Maps the drive, and adds to `json` for each map what `judge` says of it and what it cost.
+ordered_json judgeMaps(const RecordedDrive& drive, double radius, const Options& options,
+                       const std::function<ordered_json(const ComparedMap&)>& judge,
+                       const atom_map::AskTrueDistance& truth, ordered_json json) {
+  MappingParameters parameters = makeParameters(options);
+  parameters.radius = radius;
+  atom_map::Comparison comparison(makeComparedMaps(parameters, 0.0, options.pruned));
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) comparison.insertScan(drive.scans[i], drive.poses[i]);
 
-void addQuality(const Scene& scene, const std::vector<double>& epsilon, const ComparedMap& map, ordered_json& json) {
-  const SurfaceQuality quality = measureSurfaceQuality(scene, epsilon, map.ask, kSampleSeed);
-  print("Q", quality.q);
-  print("F", quality.f);
-  const auto value = [](const Share& share) { return share.value(); };
-  json["Q"] = toJson(quality.q, value);
-  json["F"] = toJson(quality.f, value);
-  json["Q_error"] = toJson(quality.q, atom_map::standardError);
-  json["F_error"] = toJson(quality.f, atom_map::standardError);
-}
-
-void addCoverage(const Coverage& c, const ComparedMap& map, double radius, ordered_json& json) {
-  std::printf("%-22s %6.2f %8.4f %15.4f %9.4f %9.4f %7.4f %10zu\n", map.name.c_str(), radius, c.free.value(),
-              c.false_occupied.value(), c.unknown.value(), c.surface.value(), c.thin.value(),
-              static_cast<std::size_t>(map.units()));
-  json["free"] = c.free.value();
-  json["false_occupied"] = c.false_occupied.value();
-  json["unknown"] = c.unknown.value();
-  json["surface"] = c.surface.value();
-  if (c.thin.whole > 0) json["thin"] = c.thin.value();
-}
-
-void addSize(const ComparedMap& map, ordered_json& json) {
-  json["units"] = map.units();
-  json["bytes"] = atom_map::heapReleasedBy(map.release);
+  std::vector<ordered_json> judged;
+  for (const ComparedMap* map : comparison.maps()) {
+    std::printf("%s\n", map->name.c_str());
+    judged.push_back(judge(*map));
+    if (options.picture) judged.back()["unit_list"] = unitsToJson(*map);
+  }
+  const std::vector<atom_map::MapFigures> figures = comparison.finish(drive.rays, radius, truth);
+  std::cout << toTable(figures) << std::flush;
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    json["maps"].push_back(toJson(figures[i]));
+    json["maps"].back().update(judged[i]);
+  }
+  return json;
 }
 
 ordered_json judgeScene(const Scene& scene, const RecordedDrive& drive, double radius, const Options& options) {
-  ordered_json figures{{"scene", options.scene}, {"radius", radius}, {"noise", options.noise}};
-  const std::vector<double> epsilon = atom_map::distancesFromSurface(radius);
-  if (isClosed(options.scene)) figures["epsilon"] = epsilon;
+  const std::vector<double> epsilon = judgedDistances(scene, radius);
+  std::printf("\n%s, r = %g m\n", options.scene.c_str(), radius);
+  print("epsilon (m)", epsilon);
+  const auto judge = [&](const ComparedMap& map) {
+    ordered_json quality = judgeQuality(scene, drive, radius, map);
+    for (const auto& [name, values] : quality.items()) print(name, values);
+    if (options.picture) quality["slice"] = sliceToJson(map, scene.bounds(), radius);
+    return quality;
+  };
   const auto truth = [&](const Eigen::Vector3d& p) { return scene.signedDistance(p); };
-  for (const ComparedMap& map : mapDrive(drive, radius, options)) {
-    ordered_json json{{"name", map.name}};
-    addCoverage(measureCoverage(drive.rays, radius, map.ask, truth, kSampleSeed), map, radius, json);
-    if (isClosed(options.scene)) addQuality(scene, epsilon, map, json);
-    addSize(map, json);
-    figures["maps"].push_back(json);
-  }
-  return figures;
+  return judgeMaps(drive, radius, options, judge, truth,
+                   {{"scene", options.scene},
+                    {"radius", radius},
+                    {"voxel", atom_map::equalVolumeVoxel(radius)},
+                    {"noise", options.noise},
+                    {"epsilon", epsilon}});
 }
 
 // Paper, Fig. 9.
 ordered_json judgeSlope(double slope, double radius, const Options& options) {
   const RecordedDrive drive = record(atom_map::makeSlope(slope), atom_map::makeClimb(slope), options);
-  ordered_json figures{{"slope", slope}, {"radius", radius}, {"noise", options.noise}};
-  for (const ComparedMap& map : mapDrive(drive, radius, options)) {
-    const Share kept = measureGroundKept(drive.rays, radius, map.ask);
-    std::printf("%-22s %6.2f %8.1f %12.4f\n", map.name.c_str(), radius, slope, kept.value());
-    ordered_json json{{"name", map.name}, {"ground_kept", kept.value()}};
-    addSize(map, json);
-    figures["maps"].push_back(json);
-  }
-  return figures;
+  std::printf("\nslope of %g degrees, r = %g m\n", slope, radius);
+  const auto judge = [&](const ComparedMap& map) -> ordered_json {
+    const double kept = measureGroundKept(drive.rays, radius, map.ask).value();
+    print("ground kept", {kept});
+    return {{"ground_kept", kept}};
+  };
+  return judgeMaps(drive, radius, options, judge, {}, {{"slope", slope}, {"radius", radius}, {"noise", options.noise}});
 }
 
 void run(const Options& options) {
@@ -154,10 +135,8 @@ void run(const Options& options) {
   if (options.slopes.empty()) {
     const Scene scene = atom_map::makeScene(options.scene);
     const RecordedDrive drive = record(scene, atom_map::makeTrajectory(options.scene), options);
-    std::printf("map                    radius     free  falsely occupied   unknown   surface    thin      units\n");
     for (const double radius : options.radii) all.push_back(judgeScene(scene, drive, radius, options));
   } else {
-    std::printf("map                    radius    slope  ground kept\n");
     for (const double radius : options.radii) {
       for (const double slope : options.slopes) all.push_back(judgeSlope(slope, radius, options));
     }

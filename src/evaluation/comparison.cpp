@@ -41,7 +41,14 @@ void Comparison::insertTimed(const LidarScan& scan, const Pose& sensor, Entry& e
   add(report.seconds, entry.figures.stages);
 }
 
-std::vector<MapFigures> Comparison::finish(const std::vector<ObservedRay>& rays, double radius) {
+std::vector<const ComparedMap*> Comparison::maps() const {
+  std::vector<const ComparedMap*> maps;
+  for (const Entry& entry : entries_) maps.push_back(&entry.map);
+  return maps;
+}
+
+std::vector<MapFigures> Comparison::finish(const std::vector<ObservedRay>& rays, double radius,
+                                           const AskTrueDistance& true_distance) {
   std::vector<MapFigures> all;
   for (Entry& entry : entries_) {
     MapFigures& figures = all.emplace_back(entry.figures);
@@ -49,7 +56,7 @@ std::vector<MapFigures> Comparison::finish(const std::vector<ObservedRay>& rays,
     figures.milliseconds = spreadOf(entry.milliseconds);
     figures.scans = scans_;
     figures.cpu_milliseconds /= static_cast<double>(std::max<std::size_t>(scans_, 1));
-    figures.coverage = measureCoverage(rays, radius, entry.map.ask, {}, kSampleSeed);
+    figures.coverage = measureCoverage(rays, radius, entry.map.ask, true_distance, kSampleSeed);
     figures.units = entry.map.units();
     figures.bytes = heapReleasedBy(entry.map.release);
   }

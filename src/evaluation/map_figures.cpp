@@ -13,27 +13,31 @@ nlohmann::ordered_json toJson(const MapFigures& figures) {
   const double per_scan = 1e3 / static_cast<double>(std::max<std::uint64_t>(figures.scans, 1));
   const ScanReport::Seconds& stages = figures.stages;
   const Spread& time = figures.milliseconds;
-  return {{"name", figures.name},
-          {"ms_per_scan", {{"mean", time.mean}, {"median", time.median}, {"p95", time.p95}}},
-          {"cpu_ms_per_scan", figures.cpu_milliseconds},
-          {"stages",
-           {{"filter", per_scan * stages.filter},
-            {"normals", per_scan * stages.normals},
-            {"rays", per_scan * stages.rays},
-            {"candidate_filter", per_scan * stages.candidate_filter},
-            {"merge", per_scan * stages.merge}}},
-          {"bytes", figures.bytes},
-          {"units", figures.units},
-          {"free", figures.coverage.free.value()},
-          {"false_occupied", figures.coverage.false_occupied.value()},
-          {"unknown", figures.coverage.unknown.value()},
-          {"surface", figures.coverage.surface.value()}};
+  nlohmann::ordered_json json{{"name", figures.name},
+                              {"ms_per_scan", {{"mean", time.mean}, {"median", time.median}, {"p95", time.p95}}},
+                              {"cpu_ms_per_scan", figures.cpu_milliseconds},
+                              {"stages",
+                               {{"filter", per_scan * stages.filter},
+                                {"normals", per_scan * stages.normals},
+                                {"rays", per_scan * stages.rays},
+                                {"candidate_filter", per_scan * stages.candidate_filter},
+                                {"merge", per_scan * stages.merge}}},
+                              {"bytes", figures.bytes},
+                              {"units", figures.units},
+                              {"free", figures.coverage.free.value()},
+                              {"false_occupied", figures.coverage.false_occupied.value()},
+                              {"unknown", figures.coverage.unknown.value()},
+                              {"surface", figures.coverage.surface.value()}};
+  if (figures.coverage.thin.whole > 0) json["thin"] = figures.coverage.thin.value();
+  return json;
 }
 
 std::string toTable(const std::vector<MapFigures>& maps) {
   std::ostringstream out;
+  const bool any_thin =
+      std::any_of(maps.begin(), maps.end(), [](const auto& map) { return map.coverage.thin.whole > 0; });
   out << "map                         ms  median    95 %  cpu ms     bytes   units  B/unit    free  occupied  unknown  "
-         "surface\n"
+      << "surface" << (any_thin ? "    thin" : "") << "\n"
       << std::fixed;
   for (const MapFigures& map : maps) {
     const double bytes_per_unit =
@@ -45,7 +49,9 @@ std::string toTable(const std::vector<MapFigures>& maps) {
     out << std::setw(10) << map.bytes << std::setw(8) << map.units << std::setw(8) << std::setprecision(1)
         << bytes_per_unit << std::setprecision(4) << std::setw(8) << map.coverage.free.value() << std::setw(10)
         << map.coverage.false_occupied.value() << std::setw(9) << map.coverage.unknown.value() << std::setw(9)
-        << map.coverage.surface.value() << "\n";
+        << map.coverage.surface.value();
+    if (any_thin) out << std::setw(8) << map.coverage.thin.value();
+    out << "\n";
   }
   return out.str();
 }

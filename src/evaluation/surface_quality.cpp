@@ -15,6 +15,19 @@ Eigen::Vector3d drawIn(const Eigen::AlignedBox3d& box, Random& random) {
   return box.min() + share.cwiseProduct(box.sizes());
 }
 
+// Asks for the points that draw() gives, as many on each side of the surface, that lie within a distance of it.
+template <class Draw>
+void measure(const Scene& scene, double distance, const AskOccupancy& ask, Draw draw, SurfaceQuality& quality) {
+  Share& q = quality.q.emplace_back();
+  Share& f = quality.f.emplace_back();
+  while (q.whole < kPoints || f.whole < kPoints) {
+    const Eigen::Vector3d point = draw();
+    const double depth = scene.signedDistance(point);
+    Share& side = depth > 0.0 ? q : f;
+    if (std::abs(depth) < distance && side.whole < kPoints) side.count(ask(point) == Occupancy::kFree);  // Eq. (13)
+  }
+}
+
 }  // namespace
 
 SurfaceQuality measureSurfaceQuality(const Scene& scene, const std::vector<double>& epsilon, const AskOccupancy& ask,
@@ -24,14 +37,26 @@ SurfaceQuality measureSurfaceQuality(const Scene& scene, const std::vector<doubl
   for (const double distance : epsilon) {
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(distance);
     const Eigen::AlignedBox3d box(scene.bounds().min() - margin, scene.bounds().max() + margin);
-    Share& q = quality.q.emplace_back();
-    Share& f = quality.f.emplace_back();
-    while (q.whole < kPoints || f.whole < kPoints) {
-      const Eigen::Vector3d point = drawIn(box, random);
-      const double depth = scene.signedDistance(point);
-      Share& side = depth > 0.0 ? q : f;
-      if (std::abs(depth) < distance && side.whole < kPoints) side.count(ask(point) == Occupancy::kFree);  // Eq. (13)
-    }
+    measure(
+        scene, distance, ask, [&] { return drawIn(box, random); }, quality);
+  }
+  return quality;
+}
+
+SurfaceQuality measureQualityAtReturns(const Scene& scene, const std::vector<ObservedRay>& rays,
+                                       const std::vector<double>& epsilon, const AskOccupancy& ask,
+                                       std::uint64_t seed) {
+  constexpr double kMargin = 1.2;  // of the distance: noise has moved the ends
+  SurfaceQuality quality;
+  if (rays.empty()) return quality;
+  Random random(seed);
+  const auto draw = [&] { return static_cast<double>(random.uniform()); };
+  for (const double distance : epsilon) {
+    const auto draw_point = [&]() -> Eigen::Vector3d {
+      const ObservedRay& ray = rays[static_cast<std::size_t>(draw() * static_cast<double>(rays.size()))];
+      return ray.end + kMargin * distance * (2.0 * draw() - 1.0) * ray.normal.value();
+    };
+    measure(scene, distance, ask, draw_point, quality);
   }
   return quality;
 }

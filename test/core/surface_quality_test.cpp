@@ -71,6 +71,33 @@ TEST(SurfaceQuality, AShiftedSurfaceCostsTheVolumeThatItTakes) {
   }
 }
 
+// Returns of the cube's bottom: next to them lies a slab, of which a shift costs its share.
+TEST(SurfaceQuality, AtReturnsAShiftedSurfaceCostsTheShareThatItTakes) {
+  const Scene scene = makeScene("cube");
+  const std::vector<ObservedRay> rays{{Vector3d::Zero(), Vector3d(0.1, 0.2, -1.0), Vector3d::UnitZ(), false},
+                                      {Vector3d::Zero(), Vector3d(-0.3, 0.1, -1.01), Vector3d::UnitZ(), false}};
+  const std::vector<double> epsilon{0.02, 0.1, 0.4};
+  const auto measure = [&](double shift) {
+    const auto ask = [=, &scene](const Vector3d& point) {
+      return scene.signedDistance(point) > shift ? Occupancy::kFree : Occupancy::kUnknown;
+    };
+    return measureQualityAtReturns(scene, rays, epsilon, ask, 1);
+  };
+  const SurfaceQuality outwards = measure(-0.03);
+  const SurfaceQuality inwards = measure(0.03);
+  for (std::size_t i = 0; i < epsilon.size(); ++i) {
+    const double share = std::min(0.03 / epsilon[i], 1.0);
+    EXPECT_EQ(outwards.q[i].value(), 1.0);
+    EXPECT_EQ(inwards.f[i].value(), 0.0);
+    EXPECT_NEAR(outwards.f[i].value(), share, 0.015);
+    EXPECT_NEAR(inwards.q[i].value(), 1.0 - share, 0.015);
+  }
+}
+
+TEST(SurfaceQuality, WithoutAReturnThereIsNothingToJudge) {
+  EXPECT_TRUE(measureQualityAtReturns(makeScene("cube"), {}, {0.1}, {}, 1).q.empty());
+}
+
 TEST(SurfaceQuality, DistancesGoFromATenthToFourRadii) {
   const std::vector<double> distances = distancesFromSurface(0.5);
   EXPECT_DOUBLE_EQ(distances.front(), 0.05);

@@ -58,6 +58,8 @@ TEST_F(EvaluateMap, AnOpenSceneHasCoverageOnly) {
                 1.0, 1e-9);
     EXPECT_GT(map.at("surface"), 0.5);
     EXPECT_GT(map.at("thin"), 0.3);
+    EXPECT_EQ(map.at("near_free").size(), figures[1].at("epsilon").size());
+    EXPECT_GT(map.at("ms_per_scan").at("mean"), 0.01);
   }
 }
 
@@ -69,6 +71,20 @@ TEST_F(EvaluateMap, AtomsKeepObliqueGround) {
     EXPECT_GE(atoms, 0.97) << slope.at("slope");
     EXPECT_GT(atoms, slope.at("maps")[2].at("ground_kept"));
   }
+}
+
+TEST_F(EvaluateMap, PicturesHoldEveryUnitAndWhatThePlaneSays) {
+  const json figures = evaluate("--scene sphere --radius 0.4 --scans 5 --picture --pruned");
+  ASSERT_EQ(figures.at("maps").size(), 4U);
+  for (const json& map : figures.at("maps")) {
+    SCOPED_TRACE(map.at("name").get<std::string>());
+    EXPECT_EQ(map.at("unit_list").size(), map.at("units"));
+    const json& rows = map.at("slice").at("rows");
+    ASSERT_EQ(rows.size(), 110U) << "2 m and 6 radii in steps of a tenth of a radius";
+    EXPECT_LT(rows[55][55], 0.0) << "the middle is free";
+    EXPECT_FALSE(rows[15][55].is_number() && rows[15][55] < 0.0) << "behind the wall it is not";
+  }
+  EXPECT_NEAR(figures.at("maps")[0].at("unit_list")[0][3].get<double>(), 0.8, 1e-6) << "an atom's diameter";
 }
 
 TEST_F(EvaluateMap, SaysWhatIsWrong) {

@@ -20,8 +20,11 @@ class Comparison {
   // How many scans there were.
   std::size_t scans() const { return scans_; }
 
-  // In the order of the maps, which are empty thereafter. `radius`: of the points to ask for, as measureCoverage.
-  std::vector<MapFigures> finish(const std::vector<ObservedRay>& rays, double radius);
+  std::vector<const ComparedMap*> maps() const;
+
+  // In the order of the maps, which are empty thereafter. `radius`, `true_distance`: as measureCoverage.
+  std::vector<MapFigures> finish(const std::vector<ObservedRay>& rays, double radius,
+                                 const AskTrueDistance& true_distance = {});
 
  private:
   struct Entry {

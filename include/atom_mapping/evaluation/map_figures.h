@@ -24,7 +24,7 @@ struct MapFigures {
 };
 
 // {"name", "ms_per_scan": {"mean", "median", "p95"}, "cpu_ms_per_scan", "stages": {...}, "bytes", "units", "free",
-// "false_occupied", "unknown", "surface"}; stages in milliseconds a scan.
+// "false_occupied", "unknown", "surface"}, and "thin" where there was anything thin; stages in milliseconds a scan.
 nlohmann::ordered_json toJson(const MapFigures& figures);
 
 // A table, one line a map.

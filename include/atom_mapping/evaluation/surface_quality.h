@@ -20,6 +20,11 @@ struct SurfaceQuality {
 SurfaceQuality measureSurfaceQuality(const Scene& scene, const std::vector<double>& epsilon, const AskOccupancy& ask,
                                      std::uint64_t seed);
 
+// The same where a surface was seen: of points within the distances of a surface, on the normal through one of the rays'
+// ends, drawn at random. `rays` with their normals; the scene may be open.
+SurfaceQuality measureQualityAtReturns(const Scene& scene, const std::vector<ObservedRay>& rays,
+                                       const std::vector<double>& epsilon, const AskOccupancy& ask, std::uint64_t seed);
+
 // Standard deviation of the estimate that a share of independent draws is.
 double standardError(const Share& share);
 
