@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter
 from figures import COLORS, NAMES, mapNamed, read
 
 MODES = ('atom_occupancy', 'atom_signed_distance', 'octomap')
-OCCUPANCY_COLORS = matplotlib.colormaps['coolwarm']  # blue: free, red: occupied, as in the paper
+OCCUPANCY_COLORS = plt.get_cmap('coolwarm')  # blue: free, red: occupied, as in the paper
 
 
 def probability(log_odds):
@@ -23,7 +23,7 @@ def probability(log_odds):
 
 
 def save(figure, output, name):
-    figure.savefig(output / f'evaluation_{name}.png', dpi=110)
+    figure.savefig(output / f'evaluation_{name}.png', dpi=100, bbox_inches='tight')
     plt.close(figure)
 
 
@@ -51,7 +51,7 @@ def drawSlice(data, output):
     """Fig. 1: atoms about a curved surface, what lies between them, and the voxels of the same scans."""
     contest = read(data, 'sphere_0')[0]
     atoms, voxels = mapNamed(contest, 'atom_occupancy'), mapNamed(contest, 'octomap')
-    figure, panels = plt.subplots(1, 3, figsize=(13.5, 4.6), layout='constrained')
+    figure, panels = plt.subplots(1, 3, figsize=(13.5, 4.6), constrained_layout=True)
     addUnits(panels[0], atoms['unit_list'], cutAtom, edgecolor='k', linewidth=0.4)
     plane = atoms['slice']
     values = [[probability(value) for value in row] for row in plane['rows']]
@@ -72,7 +72,7 @@ def drawQuality(data, output):
                 for contest in read(data, f'{scene}_{noise}')]
     rows = len(contests) // 3
     figure, panels = plt.subplots(rows, 3, figsize=(13.5, 0.6 + 3.6 * rows), sharex=True, sharey=True, squeeze=False,
-                                  layout='constrained')
+                                  constrained_layout=True)
     for axes, contest in zip(panels.flat, contests):
         for name in MODES:
             entry = mapNamed(contest, name)
@@ -81,9 +81,12 @@ def drawQuality(data, output):
                               color=COLORS[name], label=f'{NAMES[name]}: {key}')
         axes.set(title=f"{contest['scene']}, r = {contest['radius']:g} m, noise {contest['noise']:g} m", ylim=(0.0, 1.0))
         axes.grid(alpha=0.3)
-    figure.supxlabel('distance ε from the surface (m)', fontsize='medium')
-    figure.supylabel('share called free', fontsize='medium')
-    figure.legend(*panels[0][0].get_legend_handles_labels(), loc='outside lower center', ncols=6)
+    for axes in panels[-1]:
+        axes.set_xlabel('distance ε from the surface (m)')
+    for axes in panels[:, 0]:
+        axes.set_ylabel('share called free')
+    handles, labels = panels[0][0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc='lower center', ncol=6, bbox_to_anchor=(0.5, 1.0))
     save(figure, output, 'quality')
 
 
@@ -91,7 +94,7 @@ def drawGround(data, output):
     """Fig. 9: the ground from above, and how much of it maps keep."""
     slopes = read(data, 'ground')
     contest = next(each for each in slopes if each['slope'] == 10.0)
-    figure, panels = plt.subplots(1, 3, figsize=(13.5, 4.4), layout='constrained')
+    figure, panels = plt.subplots(1, 3, figsize=(13.5, 4.4), constrained_layout=True)
     for axes, name in zip(panels, ('octomap', 'atom_occupancy')):
         units = [unit for unit in mapNamed(contest, name)['unit_list'] if unit[4] > 0.0]
         size = units[0][3]
@@ -115,7 +118,7 @@ def drawTradeoff(data, output):
     contests = read(data, 'tradeoff')
     epsilon = contests[0]['epsilon']
     costs = (('time a scan (ms)', lambda entry: entry['ms_per_scan']['mean']), ('bytes', lambda entry: entry['bytes']))
-    figure, panels = plt.subplots(2, 2, figsize=(13.5, 8.4), sharey='row', sharex='col', layout='constrained')
+    figure, panels = plt.subplots(2, 2, figsize=(13.5, 8.4), sharey='row', sharex='col', constrained_layout=True)
     for row, distance in zip(panels, (0.1, 0.25)):
         i = epsilon.index(distance)
         for axes, (label, cost) in zip(row, costs):

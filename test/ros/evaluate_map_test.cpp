@@ -74,17 +74,17 @@ TEST_F(EvaluateMap, AtomsKeepObliqueGround) {
 }
 
 TEST_F(EvaluateMap, PicturesHoldEveryUnitAndWhatThePlaneSays) {
-  const json figures = evaluate("--scene sphere --radius 0.4 --scans 5 --picture --pruned");
+  const json figures = evaluate("--scene sphere --radius 0.2 --scans 10 --picture --pruned");
   ASSERT_EQ(figures.at("maps").size(), 4U);
   for (const json& map : figures.at("maps")) {
     SCOPED_TRACE(map.at("name").get<std::string>());
     EXPECT_EQ(map.at("unit_list").size(), map.at("units"));
     const json& rows = map.at("slice").at("rows");
-    ASSERT_EQ(rows.size(), 110U) << "2 m and 6 radii in steps of a tenth of a radius";
-    EXPECT_LT(rows[55][55], 0.0) << "the middle is free";
-    EXPECT_FALSE(rows[15][55].is_number() && rows[15][55] < 0.0) << "behind the wall it is not";
+    ASSERT_EQ(rows.size(), 160U) << "2 m and 6 radii in steps of a tenth of a radius";
+    EXPECT_LT(rows[80][80], 0.0) << "the middle is free";
+    EXPECT_FALSE(rows[15][80].is_number() && rows[15][80] < 0.0) << "behind the wall it is not";
   }
-  EXPECT_NEAR(figures.at("maps")[0].at("unit_list")[0][3].get<double>(), 0.8, 1e-6) << "an atom's diameter";
+  EXPECT_NEAR(figures.at("maps")[0].at("unit_list")[0][3].get<double>(), 0.4, 1e-6) << "an atom's diameter";
 }
 
 TEST_F(EvaluateMap, SaysWhatIsWrong) {
