@@ -10,7 +10,7 @@ matplotlib.use('Agg')  # needs no screen
 import matplotlib.pyplot as plt
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle, Rectangle
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator
 
 from figures import COLORS, NAMES, mapNamed, read
 
@@ -137,6 +137,7 @@ def drawTradeoff(data, output):
         row[0].set_ylabel('told rightly, mean of both sides')
     for axes, (label, _) in zip(panels[1], costs):
         axes.set_xlabel(label)
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 3.0)))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f'{value:,.0f}'))
     panels[1][0].legend()
     save(figure, output, 'tradeoff')
