@@ -24,7 +24,7 @@ while [[ $# -gt 0 ]]; do
   esac
 done
 
-drive=1000 fine=100 few=40  # scans: of the drives of Table I, of those at small radii, of those with exact truth
+drive=600 fine=100 few=40  # scans: of the drives of Table I, of those at small radii, of those with exact truth
 table_radii='0.5 1.0' fine_radii='0.25 0.1' tradeoff_radii='1.0 0.7 0.5 0.35 0.25 0.15 0.1' coverage_radii='1.0 0.5 0.25 0.1'
 slopes='0 2.5 5 7.5 10 12.5 15 20' noises='0 0.01'
 if $quick; then
