@@ -24,12 +24,13 @@ while [[ $# -gt 0 ]]; do
   esac
 done
 
-drive=600 fine=100 few=40  # scans: of the drives of Table I, of those at small radii, of those with exact truth
+# Scans: of the drives of Table I, of those at small radii, of those with exact truth, in the closed scenes, of slopes.
+drive=600 fine=100 few=40 closed=40 climb=40
 table_radii='0.5 1.0' fine_radii='0.25 0.1' tradeoff_radii='1.0 0.7 0.5 0.35 0.25 0.15 0.1' coverage_radii='1.0 0.5 0.25 0.1'
 slopes='0 2.5 5 7.5 10 12.5 15 20' noises='0 0.01'
 if $quick; then
-  drive=30 fine=8 few=10
-  fine_radii=0.25 tradeoff_radii='1.0 0.5' coverage_radii=1.0 slopes='0 10' noises=0
+  drive=30 fine=8 few=10 climb=20
+  fine_radii=0.25 tradeoff_radii='1.0 0.5' coverage_radii=1.0 slopes='0 10 20' noises=0
 fi
 
 recordings=${ATOM_MAPPING_DATA:-$repository/../shared/data}
@@ -72,7 +73,7 @@ describeRun() {
   printf '%s\n' "command: \`$command\`" "commit: $(git -C "$repository" rev-parse --short HEAD)$changed" \
     "machine: $(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $memory_gb GB free" \
     "system: $(sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release), $(c++ --version | head -n 1)" \
-    "date: $(date +%F)"
+    "date: $(date +%F), other programs' load at the start: $(cut -d ' ' -f 1 /proc/loadavg)"
 }
 describeRun >"$data/run.txt"
 
@@ -95,13 +96,13 @@ run tradeoff evaluate_map --scene hall --radius $tradeoff_radii --scans $few --s
 {
   for noise in $noises; do
     for scene in cube cube_rotated sphere; do
-      echo "${scene}_$noise evaluate_map --scene $scene --radius 0.1 --scans $few --noise $noise --stride 7 --picture"
+      echo "${scene}_$noise evaluate_map --scene $scene --radius 0.1 --scans $closed --noise $noise --stride 7 --picture"
     done
   done
   for scene in hall campus; do
     echo "coverage_$scene evaluate_map --scene $scene --radius $coverage_radii --scans $few --stride 3"
   done
-  echo "ground evaluate_map --slope $slopes --radius 0.25 --scans $few --stride 3 --picture"
+  echo "ground evaluate_map --slope $slopes --radius 0.25 --scans $climb --stride 3 --picture"
 } | runTogether
 
 "$repository/scripts/plots/write_tables.py" "$data" >"$output/tables.md"
