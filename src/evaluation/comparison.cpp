@@ -33,6 +33,7 @@ void Comparison::insertScan(const LidarScan& scan, const Pose& sensor) {
 }
 
 void Comparison::insertTimed(const LidarScan& scan, const Pose& sensor, Entry& entry) {
+  joinFreedBlocks();
   double seconds = 0.0;
   const std::clock_t start = std::clock();
   const ScanReport report = timed(seconds, [&] { return entry.map.insert_scan(scan, sensor); });
