@@ -16,7 +16,7 @@ void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float 
   }
   const auto crosses = [&](const DistanceCandidate& candidate) {
     const float clearance = (1.0F - kSlack) * std::abs(candidate.distance) - 3.0F * noise;
-    return clearance > 0.0F && points.nearest(candidate.center, clearance).has_value();
+    return clearance > 0.0F && points.isAnyWithin(candidate.center, clearance);
   };
   for (auto* side : {&candidates.behind, &candidates.infront}) {
     side->erase(std::remove_if(side->begin(), side->end(), crosses), side->end());

@@ -48,6 +48,7 @@ TEST_P(AtomTreeNearest, AreTheNearestInTheirOrder) {
     expectNearest(found, p, k, max_distance);
     const auto nearest = tree_.nearest(p, max_distance);
     expectNearest(nearest ? std::vector<Neighbor>{*nearest} : std::vector<Neighbor>{}, p, 1, max_distance);
+    ASSERT_EQ(tree_.isAnyWithin(p, max_distance), nearest.has_value());
     if (HasFatalFailure()) return;
   }
 }

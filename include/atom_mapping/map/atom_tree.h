@@ -76,6 +76,9 @@ class AtomTree {
   template <class Visit>
   void forEachBlock(Visit&& visit) const;
 
+  // Whether any atom's centre lies nearer to p than `radius`.
+  bool isAnyWithin(const Eigen::Vector3f& p, float radius) const;
+
   // The nearest atom whose centre lies nearer to p than max_distance.
   std::optional<Neighbor> nearest(const Eigen::Vector3f& p, float max_distance) const;
 
@@ -122,6 +125,12 @@ class AtomTree {
       return gap;
     }
   };
+  // A node's children, seen from a point.
+  struct Split {
+    Child near;
+    Child far;
+    float distance;  // m, to the plane between them
+  };
   // A straight way's part from share `begin` to share `end` of `way`.
   struct Segment {
     const Eigen::Vector3f& start;
@@ -161,13 +170,17 @@ class AtomTree {
   }
   template <class Visit>
   void visitLeaves(Child child, const CellRange& range, Visit&& visit) const;
+  template <class Visit>
+  static void visitNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
   template <class FindLeaves, class Visit>
   void visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const;
   template <class Visit>
   void visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap, Visit&& visit) const;
   template <class Visit>
   void visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const;
-  void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
+  Split splitAt(const Inner& node, const Eigen::Vector3f& p) const;
+  bool isAnyBelow(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap) const;
+  void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance, const Gap& gap,
                      std::vector<Neighbor>& best) const;
 
   float cell_;  // m
