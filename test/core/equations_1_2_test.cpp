@@ -26,13 +26,13 @@ TEST(Equation1, AtomsAroundTheSensorTouchAllOthers) {
 }
 
 TEST(Equation1, OverlapCountByHand) {
-  EXPECT_EQ(overlapCount(60.0F * kDegree, 7.0F * kDegree),
+  EXPECT_EQ(overlapCount(60.0F * kDegree, 1.0F / (7.0F * kDegree)),
             19.0F);  // 60 / 7 = 8.57: 9 on each side
-  EXPECT_EQ(overlapCount(90.0F * kDegree, 40.0F * kDegree),
+  EXPECT_EQ(overlapCount(90.0F * kDegree, 1.0F / (40.0F * kDegree)),
             7.0F);  // 2.25: 3 on each side
-  EXPECT_EQ(overlapCount(0.1000417F, 0.2F * kDegree),
+  EXPECT_EQ(overlapCount(0.1000417F, 1.0F / (0.2F * kDegree)),
             59.0F);  // 28.66: 29 on each side
-  EXPECT_EQ(overlapCount(1.0F * kDegree, 30.0F * kDegree),
+  EXPECT_EQ(overlapCount(1.0F * kDegree, 1.0F / (30.0F * kDegree)),
             3.0F);  // always one beside it on each side
 }
 

@@ -44,7 +44,7 @@ Remains interleave(const Ring& ring, int scans, std::uint64_t seed) {
 
 TEST(Interleaving, Equation1CountsTheOverlappingSetAndAtMostOneMoreOnEachSide) {
   for (const Ring& ring : rings()) {
-    const float k = overlapCount(touchingAngle(kRadius, ring.distance), ring.resolution());
+    const float k = overlapCount(touchingAngle(kRadius, ring.distance), 1.0F / ring.resolution());
     EXPECT_GE(k, static_cast<float>(ring.overlapping()));
     EXPECT_LE(k, static_cast<float>(ring.overlapping() + 2));
   }

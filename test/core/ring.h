@@ -28,7 +28,7 @@ struct Ring {
   }
   // Eq. (2) over Eq. (1), at a distance that is known to a sixteenth of a radius.
   double keepProbabilityAt(float error) const {
-    const float k = overlapCount(touchingAngle(kRadius, distance + error * kRadius / 16.0F), resolution());
+    const float k = overlapCount(touchingAngle(kRadius, distance + error * kRadius / 16.0F), 1.0F / resolution());
     return static_cast<double>(keepProbability(k, lambda));
   }
 };

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -15,10 +14,11 @@ namespace atom_map {
 // lies within them. Radians.
 float touchingAngle(float radius, float distance);
 
-// Number of candidates that overlap one, itself included, of rays that lie an angle (radians) apart: Eq. (1).
-inline float overlapCount(float touching_angle, float angular_resolution) {
-  const auto below = static_cast<std::int32_t>(touching_angle / angular_resolution);
-  const std::int32_t half = below + (static_cast<float>(below) * angular_resolution < touching_angle ? 1 : 0);
+// Number of candidates that overlap one, itself included, of rays that lie so close: Eq. (1).
+inline float overlapCount(float touching_angle, float rays_per_radian) {
+  const float rays = touching_angle * rays_per_radian;
+  const auto below = static_cast<std::int32_t>(rays);
+  const std::int32_t half = below + (static_cast<float>(below) < rays ? 1 : 0);
   return static_cast<float>(2 * half + 1);  // Eq. (1)
 }
 
@@ -35,29 +35,30 @@ class Interleaver {
 
   // Whether the candidate at a distance from the sensor stays, among rays that lie angular_resolution (radians) apart.
   bool keep(float distance, float angular_resolution) {
-    return random_.uniform() < probability(distance, angular_resolution);
+    return random_.uniform() < probability(distance, 1.0F / angular_resolution);
   }
 
-  // Calls visit(i) for those that stay of the candidates i = 0 to count - 1 of one ray, at distance - i * step from the sensor, with
-  // the same chances as keep(). None has a better chance than the first, so its misses in a row are drawn at once.
+  // Calls visit(i) for those that stay of the candidates i = 0 to count - 1 of one ray, at distance - i * step from the
+  // sensor, each with the same chance as in keep().
+  // Choice: the draws of one ray, whose candidates do not overlap, depend on one another: one stays each time that their
+  // chances have added up to one more (systematic sampling). So it takes one number a ray, and long gaps are rarer.
   template <class Visit>
   void keepAlong(float distance, float step, std::uint32_t count, float angular_resolution, Visit&& visit) {
-    const float greatest = probability(distance, angular_resolution);
-    const float per_miss = 1.0F / std::log1p(-greatest);  // -0 where none misses
+    const float rays_per_radian = 1.0F / angular_resolution;
+    float sum = random_.uniform();
     for (std::uint32_t i = 0; i < count; ++i) {
-      const float misses = std::log(1.0F - random_.uniform()) * per_miss;
-      if (misses >= static_cast<float>(count - i)) return;
-      i += static_cast<std::uint32_t>(misses);
-      const float chance = probability(distance - static_cast<float>(i) * step, angular_resolution);
-      if (random_.uniform() * greatest < chance) visit(i);
+      sum += probability(distance - static_cast<float>(i) * step, rays_per_radian);
+      if (sum < 1.0F) continue;
+      sum -= 1.0F;
+      visit(i);
     }
   }
 
  private:
-  float probability(float distance, float angular_resolution) const {
+  float probability(float distance, float rays_per_radian) const {
     const auto step = static_cast<std::size_t>(distance * steps_per_metre_);
     assert(step < touching_angles_.size());
-    return keepProbability(overlapCount(touching_angles_[step], angular_resolution), lambda_);
+    return keepProbability(overlapCount(touching_angles_[step], rays_per_radian), lambda_);
   }
 
   float lambda_;
