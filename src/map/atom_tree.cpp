@@ -2,62 +2,55 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace atom_map {
 
 AtomTree::AtomTree(float cell, int value_count)
-    : cell_(cell), cells_per_metre_(1.0F / cell), value_count_(value_count) {
+    : cell_(std::exp2(std::floor(std::log2(cell)))), cells_per_metre_(1.0F / cell_), value_count_(value_count) {
   assert(cell > 0.0F && value_count >= 1 && value_count <= 2);
 }
 
 void AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
-  const CellKey atom = key(center);
-  if (size_ == 0) root_ = newLeaf();
-  const int level = partingLevel(atom);
+  ++size_;
+  if (size_ == 1) root_ = newLeaf();
   Place place{kRoot, 0};
-  while (!isLeaf(at(place)) && inner(at(place)).level > level) place = {at(place), inner(at(place)).side(atom)};
-  if (isLeaf(at(place))) {
-    leaf(at(place)).push(center, values);
-    splitIfOverfull(place);
-  } else {  // the atom lies outside of the box that holds all beneath this node
+  while (!isLeaf(at(place))) place = {at(place), inner(at(place)).side(center)};
+  // All atoms beneath a node share every plane coarser than its own, so one of them speaks for all.
+  const AtomBlock& reached = leaf(at(place));
+  const int level = reached.size() == 0 ? -1 : CellKey::firstDifference(key(center), key(reached.center(0)));
+  if (place.parent != kRoot && inner(place.parent).level < level) {
+    // The atom lies outside of the box that holds all beneath a node on this way.
+    place = {kRoot, 0};
+    while (inner(at(place)).level > level) place = {at(place), inner(at(place)).side(center)};
     const Child lone = newLeaf();
     leaf(lone).push(center, values);
-    const Child parent = newInner(level, atom, lone, at(place));
+    const Child parent = newInner(level, center, lone, at(place));
     at(place) = parent;
+  } else {
+    leaf(at(place)).push(center, values);
+    splitIfOverfull(place);
   }
-  ++size_;
-}
-
-// Level of the coarsest plane between the atom and the leaf where its way through the planes ends. All atoms beneath a
-// node share every coarser plane, so one of them speaks for all.
-int AtomTree::partingLevel(const CellKey& atom) const {
-  if (size_ == 0) return -1;
-  Child child = root_;
-  while (!isLeaf(child)) child = inner(child).children[static_cast<std::size_t>(inner(child).side(atom))];
-  return CellKey::firstDifference(atom, key(leaf(child).center(0)));
 }
 
 // Each side keeps its atoms in their order, and so does a leaf made of two: a tree made of another's atoms, in that one's
 // order, has the same order. Map files rely on it.
 void AtomTree::splitIfOverfull(Place place) {
-  const Child lower = at(place);
-  if (leaf(lower).size() <= kLeafCapacity) return;
-  const CellKey first = key(leaf(lower).center(0));
+  const Child one = at(place);
+  if (leaf(one).size() <= kLeafCapacity) return;
+  const CellKey first = key(leaf(one).center(0));
   int level = -1;
-  for (std::uint32_t i = 1; i < leaf(lower).size(); ++i) {
-    level = std::max(level, CellKey::firstDifference(first, key(leaf(lower).center(i))));
+  for (std::uint32_t i = 1; i < leaf(one).size(); ++i) {
+    level = std::max(level, CellKey::firstDifference(first, key(leaf(one).center(i))));
   }
   if (level < 0) return;
-  const Child upper = newLeaf();
-  const std::uint32_t plane = first.planeAt(level);
-  const auto axis = static_cast<std::size_t>(CellKey::axisOf(level));
-  const AtomBlock atoms = std::exchange(leaf(lower), AtomBlock(value_count_));
+  const Child other = newLeaf();
+  const AtomBlock atoms = std::exchange(leaf(one), AtomBlock(value_count_));
+  const Child parent = newInner(level, atoms.center(0), one, other);
   for (std::uint32_t i = 0; i < atoms.size(); ++i) {
-    leaf(key(atoms.center(i)).cell[axis] >= plane ? upper : lower).push(atoms, i);
+    leaf(inner(parent).children[inner(parent).side(atoms.center(i))]).push(atoms, i);
   }
-  const bool first_is_above = first.cell[axis] >= plane;
-  const Child parent = newInner(level, first, first_is_above ? upper : lower, first_is_above ? lower : upper);
   at(place) = parent;
   splitIfOverfull({parent, 0});
   splitIfOverfull({parent, 1});
@@ -73,10 +66,10 @@ AtomTree::Child AtomTree::newLeaf() {
   return child;
 }
 
-// A node split at `level`, with `child` on the side where the cell `side_of` lies.
-AtomTree::Child AtomTree::newInner(int level, const CellKey& side_of, Child child, Child other) {
+// A node split at `level`, with `child` on the side where `side_of` lies.
+AtomTree::Child AtomTree::newInner(int level, const Eigen::Vector3f& side_of, Child child, Child other) {
   Inner node{{child, other},
-             side_of.planeAt(level),
+             static_cast<float>(key(side_of).planeAt(level)) * cell_,
              static_cast<std::uint8_t>(level),
              static_cast<std::uint8_t>(CellKey::axisOf(level))};
   if (node.side(side_of) == 1) std::swap(node.children[0], node.children[1]);
@@ -98,14 +91,14 @@ void AtomTree::release(Child child) {
 std::size_t AtomTree::removeInBox(const Eigen::AlignedBox3f& box) {
   if (size_ == 0 || box.isEmpty()) return 0;
   const std::size_t before = size_;
-  root_ = removeBelow(root_, keysOf(box), box);
+  root_ = removeBelow(root_, box);
   if (size_ == 0) clear();
   return before - size_;
 }
 
 // Returns what takes the child's place: itself, its only child that is left, or two small leaves joined. A leaf that
 // comes back empty is the caller's to release.
-AtomTree::Child AtomTree::removeBelow(Child child, const CellRange& range, const Eigen::AlignedBox3f& box) {
+AtomTree::Child AtomTree::removeBelow(Child child, const Eigen::AlignedBox3f& box) {
   if (isLeaf(child)) {
     AtomBlock& block = leaf(child);
     const std::uint32_t before = block.size();
@@ -117,8 +110,8 @@ AtomTree::Child AtomTree::removeBelow(Child child, const CellRange& range, const
   }
   const Inner node = inner(child);
   std::array<Child, 2> left = node.children;
-  if (range.low[node.axis] < node.plane) left[0] = removeBelow(left[0], range, box);
-  if (range.high[node.axis] >= node.plane) left[1] = removeBelow(left[1], range, box);
+  if (box.min()[node.axis] < node.plane) left[0] = removeBelow(left[0], box);
+  if (box.max()[node.axis] >= node.plane) left[1] = removeBelow(left[1], box);
   inner(child).children = left;
   const bool leaves = isLeaf(left[0]) && isLeaf(left[1]);
   if (leaves && leaf(left[0]).size() + leaf(left[1]).size() <= kLeafCapacity / 2) {

@@ -16,15 +16,8 @@ void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& nei
 
 }  // namespace
 
-// Widened by the rounding of the box's corners, so that no atom within it is missed.
-CellRange AtomTree::keysOf(const Eigen::AlignedBox3f& box) const {
-  const Eigen::Vector3f low = box.min() - kRounding * box.min().cwiseAbs();
-  const Eigen::Vector3f high = box.max() + kRounding * box.max().cwiseAbs();
-  return {key(low).cell, key(high).cell};
-}
-
 AtomTree::Split AtomTree::splitAt(const Inner& node, const Eigen::Vector3f& p) const {
-  const float plane = planeOf(node);
+  const float plane = node.plane;
   const float offset = p[node.axis] - plane;
   const std::size_t near = offset >= 0.0F ? 1 : 0;
   return {node.children[near], node.children[1 - near], std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane))};

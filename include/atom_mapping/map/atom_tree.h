@@ -48,8 +48,8 @@ class AtomTree {
  public:
   static constexpr std::uint32_t kLeafCapacity = 32;  // atoms
 
-  // `cell`: side of the smallest cell that a split may make, in metres. `value_count`: floats that an atom stores, 1
-  // or 2.
+  // `cell`: side of the smallest cell that a split may make, in metres; rounded down to a power of two, so that floats
+  // hold every plane exactly. `value_count`: floats that an atom stores, 1 or 2.
   AtomTree(float cell, int value_count);
 
   // Coordinates must be finite. `values` points to value_count floats.
@@ -97,16 +97,17 @@ class AtomTree {
  private:
   // Of a coordinate or of the difference of two near it, with two roundings to spare.
   static constexpr float kRounding = 4e-7F;
+  static constexpr std::size_t kMaxDepth = 96;  // levels of CellKey
 
   // A child is an inner node's index, or the complement of a leaf's.
   using Child = std::int32_t;
   struct Inner {
     std::array<Child, 2> children;  // below the plane; on and above it
-    std::uint32_t plane;            // first cell of the upper side
+    float plane;                    // m, exact: a multiple of the cell
     std::uint8_t level;             // of the plane, as CellKey::firstDifference; falls on every way to a leaf
     std::uint8_t axis;
 
-    int side(const CellKey& k) const { return k.cell[axis] >= plane ? 1 : 0; }
+    std::size_t side(const Eigen::Vector3f& p) const { return p[axis] >= plane ? 1 : 0; }
   };
   // From a point to the box that a child's way through the planes leaves.
   struct Gap {
@@ -143,7 +144,7 @@ class AtomTree {
   // Where a child hangs: survives the growth of the node arrays, which a pointer does not.
   struct Place {
     Child parent;  // kRoot for the root
-    int side;
+    std::size_t side;
   };
   static constexpr Child kRoot = -1;
 
@@ -152,24 +153,19 @@ class AtomTree {
   const AtomBlock& leaf(Child c) const { return leaves_[static_cast<std::size_t>(~c)]; }
   Inner& inner(Child c) { return inners_[static_cast<std::size_t>(c)]; }
   const Inner& inner(Child c) const { return inners_[static_cast<std::size_t>(c)]; }
-  Child& at(Place p) { return p.parent == kRoot ? root_ : inner(p.parent).children[static_cast<std::size_t>(p.side)]; }
+  Child& at(Place p) { return p.parent == kRoot ? root_ : inner(p.parent).children[p.side]; }
 
   CellKey key(const Eigen::Vector3f& p) const { return {p, cells_per_metre_}; }
-  CellRange keysOf(const Eigen::AlignedBox3f& box) const;
 
   Child newLeaf();
-  Child newInner(int level, const CellKey& side_of, Child child, Child other);
+  Child newInner(int level, const Eigen::Vector3f& side_of, Child child, Child other);
   void release(Child child);
-  int partingLevel(const CellKey& atom) const;
   void splitIfOverfull(Place place);
-  Child removeBelow(Child child, const CellRange& range, const Eigen::AlignedBox3f& box);
+  Child removeBelow(Child child, const Eigen::AlignedBox3f& box);
   std::size_t depthBelow(Child child) const;
 
-  float planeOf(const Inner& node) const {
-    return static_cast<float>(static_cast<std::int32_t>(node.plane - CellKey::kOffset)) * cell_;
-  }
   template <class Visit>
-  void visitLeaves(Child child, const CellRange& range, Visit&& visit) const;
+  void visitLeaves(const Eigen::AlignedBox3f& box, Visit&& visit) const;
   template <class Visit>
   static void visitNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
   template <class FindLeaves, class Visit>

@@ -3,23 +3,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "atom_mapping/map/atom_tree.h"
 
 namespace atom_map {
 
-// Calls visit(leaf's child reference) for each leaf whose side of every split meets the range.
+// Calls visit(leaf's child reference) for each leaf whose side of every split meets the closed box.
 template <class Visit>
-void AtomTree::visitLeaves(Child child, const CellRange& range, Visit&& visit) const {
-  while (!isLeaf(child)) {
-    const Inner& node = inner(child);
-    const bool below = range.low[node.axis] < node.plane;
-    const bool above = range.high[node.axis] >= node.plane;
-    if (below && above) visitLeaves(node.children[0], range, visit);
-    child = node.children[above ? 1 : 0];
+void AtomTree::visitLeaves(const Eigen::AlignedBox3f& box, Visit&& visit) const {
+  if (size_ == 0) return;
+  std::array<Child, kMaxDepth> waiting;
+  std::size_t count = 0;
+  for (Child child = root_;; child = waiting[--count]) {
+    while (!isLeaf(child)) {
+      const Inner& node = inner(child);
+      const bool below = box.min()[node.axis] < node.plane;
+      const bool above = box.max()[node.axis] >= node.plane;
+      if (below && above) waiting[count++] = node.children[1];
+      child = node.children[below ? 0 : 1];
+    }
+    visit(child);
+    if (count == 0) return;
   }
-  visit(child);
 }
 
 // Calls visit(block) for each leaf that find_leaves(found) calls found(child) for, in that order, but some leaves later:
@@ -43,7 +50,7 @@ void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float sq
                                  Visit&& visit) const {
   while (!isLeaf(child)) {
     const Inner& node = inner(child);
-    const float plane = planeOf(node);
+    const float plane = node.plane;
     const float offset = p[node.axis] - plane;
     const bool is_above = offset >= 0.0F;
     const float distance = std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane));
@@ -76,9 +83,8 @@ void AtomTree::visitNear(const AtomBlock& block, const Eigen::Vector3f& p, float
 // there than measuring gaps and sending for memory.
 template <class Visit>
 void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) {
-  if (size_ == 0) return;
   const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
-  visitLeaves(root_, keysOf({p - reach, p + reach}), [&](Child child) {
+  visitLeaves({p - reach, p + reach}, [&](Child child) {
     AtomBlock& block = leaf(child);
     visitNear(block, p, radius * radius, [&](std::uint32_t i, float squared_distance) {
       visit(AtomRef{&block, i}, squared_distance);
@@ -104,7 +110,7 @@ template <class Visit>
 void AtomTree::visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const {
   while (!isLeaf(child)) {
     const Inner& node = inner(child);
-    const float plane = planeOf(node);
+    const float plane = node.plane;
     const float way = part.way[node.axis];
     const float reach = radius + 4.0F * kRounding * (std::abs(plane) + radius + std::abs(way));
     const float begin = part.coordinate(node.axis, part.begin) - plane;
@@ -160,8 +166,8 @@ void AtomTree::forEachAlong(const Eigen::Vector3f& from, const Eigen::Vector3f& 
 
 template <class Visit>
 void AtomTree::forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const {
-  if (size_ == 0 || box.isEmpty()) return;
-  visitLeaves(root_, keysOf(box), [&](Child child) {
+  if (box.isEmpty()) return;
+  visitLeaves(box, [&](Child child) {
     const AtomBlock& block = leaf(child);
     for (std::uint32_t i = 0; i < block.size(); ++i) {
       if (box.contains(block.center(i))) visit(ConstAtomRef{&block, i});
@@ -171,9 +177,9 @@ void AtomTree::forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const
 
 template <class Visit>
 void AtomTree::forEachBlock(Visit&& visit) const {
-  if (size_ == 0) return;
-  constexpr std::uint32_t kEnd = ~0U;
-  visitLeaves(root_, {{0, 0, 0}, {kEnd, kEnd, kEnd}}, [&](Child child) { visit(leaf(child)); });
+  constexpr float kAll = std::numeric_limits<float>::max();
+  visitLeaves({Eigen::Vector3f::Constant(-kAll), Eigen::Vector3f::Constant(kAll)},
+              [&](Child child) { visit(leaf(child)); });
 }
 
 template <class Visit>

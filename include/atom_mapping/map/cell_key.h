@@ -39,17 +39,11 @@ struct CellKey {
 
   static int axisOf(int level) { return 2 - level % 3; }
 
-  // The plane of a split at `level` beside this cell: the first cell of its upper side.
-  std::uint32_t planeAt(int level) const {
+  // The plane of a split at `level` beside this cell, in cells from the map's origin.
+  std::int32_t planeAt(int level) const {
     const std::uint32_t bit = 1U << (level / 3);
-    return (cell[axisOf(level)] & ~(bit - 1U)) | bit;
+    return static_cast<std::int32_t>(((cell[axisOf(level)] & ~(bit - 1U)) | bit) - kOffset);
   }
-};
-
-// The cells from low to high, both included, on every axis.
-struct CellRange {
-  std::array<std::uint32_t, 3> low;
-  std::array<std::uint32_t, 3> high;
 };
 
 }  // namespace atom_map
