@@ -86,7 +86,7 @@ void addAtom(hsize_t row, const Eigen::Vector3f& center, const std::array<float,
   if (!isPossible(values, parameters)) {
     fail("atom ", row, " holds ", values[0], ", ", values[1], ", which mode ", nameOf(parameters.mode), " never gives");
   }
-  map.atoms().forEachWithin(center, reach, [&](AtomRef, float squared_distance) {
+  map.atoms().forEachWithin(center, reach, [&](ConstAtomRef, float squared_distance) {
     fail("centers[", row, "] lies ", std::sqrt(squared_distance), " m from another atom's; no two lie nearer than ",
          reach, " m");
   });

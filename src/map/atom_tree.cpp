@@ -12,7 +12,7 @@ AtomTree::AtomTree(float cell, int value_count)
   assert(cell > 0.0F && value_count >= 1 && value_count <= 2);
 }
 
-void AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
+bool AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
   ++size_;
   if (size_ == 1) root_ = newLeaf();
   Place place{kRoot, 0};
@@ -28,23 +28,23 @@ void AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
     leaf(lone).push(center, values);
     const Child parent = newInner(level, center, lone, at(place));
     at(place) = parent;
-  } else {
-    leaf(at(place)).push(center, values);
-    splitIfOverfull(place);
+    return true;
   }
+  leaf(at(place)).push(center, values);
+  return splitIfOverfull(place) || size_ == 1;
 }
 
 // Each side keeps its atoms in their order, and so does a leaf made of two: a tree made of another's atoms, in that one's
 // order, has the same order. Map files rely on it.
-void AtomTree::splitIfOverfull(Place place) {
+bool AtomTree::splitIfOverfull(Place place) {
   const Child one = at(place);
-  if (leaf(one).size() <= kLeafCapacity) return;
+  if (leaf(one).size() <= kLeafCapacity) return false;
   const CellKey first = key(leaf(one).center(0));
   int level = -1;
   for (std::uint32_t i = 1; i < leaf(one).size(); ++i) {
     level = std::max(level, CellKey::firstDifference(first, key(leaf(one).center(i))));
   }
-  if (level < 0) return;
+  if (level < 0) return false;
   const Child other = newLeaf();
   const AtomBlock atoms = std::exchange(leaf(one), AtomBlock(value_count_));
   const Child parent = newInner(level, atoms.center(0), one, other);
@@ -54,6 +54,7 @@ void AtomTree::splitIfOverfull(Place place) {
   at(place) = parent;
   splitIfOverfull({parent, 0});
   splitIfOverfull({parent, 1});
+  return true;
 }
 
 AtomTree::Child AtomTree::newLeaf() {

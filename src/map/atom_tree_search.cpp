@@ -37,7 +37,7 @@ bool AtomTree::isAnyBelow(Child child, const Eigen::Vector3f& p, float squared_r
     child = split.near;
   }
   bool is_any = false;
-  visitNear(leaf(child), p, squared_radius, [&](std::uint32_t, float) { is_any = true; });
+  forEachNear(leaf(child), p, squared_radius, [&](std::uint32_t, float) { is_any = true; });
   return is_any;
 }
 
@@ -58,7 +58,7 @@ void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t 
   const auto bound = [&] { return best.size() == k ? best.back().squared_distance : max_squared_distance; };
   if (isLeaf(child)) {
     const AtomBlock& block = leaf(child);
-    visitNear(block, p, bound(), [&](std::uint32_t i, float squared_distance) {
+    forEachNear(block, p, bound(), [&](std::uint32_t i, float squared_distance) {
       if (squared_distance >= bound()) return;
       Neighbor neighbor{block.center(i), squared_distance, {}};
       for (int v = 0; v < value_count_; ++v) neighbor.values[static_cast<std::size_t>(v)] = block.channel(3 + v)[i];

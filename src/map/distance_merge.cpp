@@ -9,33 +9,34 @@
 namespace atom_map {
 
 DistanceMerge::DistanceMerge(AtomMap& map, const SignedDistanceParameters& parameters)
-    : map_(map), xi_(static_cast<float>(parameters.xi)) {
+    : diameter_(2.0F * map.radius()),
+      vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, kBlock * diameter_),
+      xi_(static_cast<float>(parameters.xi)) {
   assert(map.mode() == Mode::kSignedDistance);
 }
 
 void DistanceMerge::add(const DistanceCandidate* begin, const DistanceCandidate* end) {
+  vicinity_.forget();
   std::for_each(begin, end, [this](const DistanceCandidate& candidate) { add(candidate); });
 }
 
 void DistanceMerge::add(const DistanceCandidate& candidate) {
-  const float diameter = 2.0F * map_.radius();
   const auto variance = [&](float overlap) {
     return candidate.distance * candidate.distance / (xi_ + overlap);  // Eq. (9)
   };
   bool overlaps = false;
-  map_.atoms().forEachWithin(
-      candidate.center, AtomMap::kOverlapTolerance * diameter, [&](AtomRef atom, float squared_distance) {
-        overlaps = true;
-        const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter);
-        const float told = candidate.distance + candidate.normal.dot(atom.center() - candidate.center);
-        const float gain = atom.value(1) / (variance(overlap) + atom.value(1));
-        atom.value(0) += gain * (told - atom.value(0));  // Eq. (10)
-        atom.value(1) *= 1.0F - gain;                    // Eq. (11)
-        ++report_.updates;
-      });
+  vicinity_.forEachWithin(candidate.center, [&](AtomRef atom, float squared_distance) {
+    overlaps = true;
+    const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter_);
+    const float told = candidate.distance + candidate.normal.dot(atom.center() - candidate.center);
+    const float gain = atom.value(1) / (variance(overlap) + atom.value(1));
+    atom.value(0) += gain * (told - atom.value(0));  // Eq. (10)
+    atom.value(1) *= 1.0F - gain;                    // Eq. (11)
+    ++report_.updates;
+  });
   if (overlaps) return;
   const std::array<float, 2> values{candidate.distance, variance(1.0F)};
-  map_.atoms().insert(candidate.center, values.data());
+  vicinity_.insert(candidate.center, values.data());
   ++report_.inserted;
 }
 

@@ -52,12 +52,11 @@ class AtomTree {
   // hold every plane exactly. `value_count`: floats that an atom stores, 1 or 2.
   AtomTree(float cell, int value_count);
 
-  // Coordinates must be finite. `values` points to value_count floats.
-  void insert(const Eigen::Vector3f& center, const float* values);
+  // Coordinates must be finite. `values` points to value_count floats. Returns whether leaves were added or moved.
+  bool insert(const Eigen::Vector3f& center, const float* values);
 
-  // Calls visit(AtomRef, squared distance) for each atom whose centre lies nearer to p than `radius`.
-  template <class Visit>
-  void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit);
+  // Calls visit(ConstAtomRef, squared distance) for each atom whose centre lies nearer to p than `radius`. Who writes: see
+  // Vicinity.
   template <class Visit>
   void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) const;
 
@@ -75,6 +74,15 @@ class AtomTree {
   // Calls visit(const AtomBlock&) for the atoms of each leaf, in the tree's order: the quickest way to copy them all.
   template <class Visit>
   void forEachBlock(Visit&& visit) const;
+
+  // Calls visit(AtomBlock&, box) for each leaf that meets the closed box, with the box that holds its atoms; sides that no
+  // plane bounds are infinite. The leaves stay where they are until a removal or until insert() returns true.
+  template <class Visit>
+  void forEachLeaf(const Eigen::AlignedBox3f& box, Visit&& visit);
+
+  // Calls visit(index, squared distance) for each atom of a leaf nearer to p than the radius.
+  template <class Visit>
+  static void forEachNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
 
   // Whether any atom's centre lies nearer to p than `radius`.
   bool isAnyWithin(const Eigen::Vector3f& p, float radius) const;
@@ -160,14 +168,14 @@ class AtomTree {
   Child newLeaf();
   Child newInner(int level, const Eigen::Vector3f& side_of, Child child, Child other);
   void release(Child child);
-  void splitIfOverfull(Place place);
+  bool splitIfOverfull(Place place);
   Child removeBelow(Child child, const Eigen::AlignedBox3f& box);
   std::size_t depthBelow(Child child) const;
 
   template <class Visit>
   void visitLeaves(const Eigen::AlignedBox3f& box, Visit&& visit) const;
   template <class Visit>
-  static void visitNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
+  void visitBoxes(Child child, const Eigen::AlignedBox3f& box, Eigen::AlignedBox3f bounds, Visit&& visit);
   template <class FindLeaves, class Visit>
   void visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const;
   template <class Visit>

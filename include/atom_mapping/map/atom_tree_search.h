@@ -66,30 +66,14 @@ void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float sq
   visit(child);
 }
 
-// Calls visit(index, squared distance) for each atom of the block nearer to p than the radius.
 template <class Visit>
-void AtomTree::visitNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit) {
-  for (std::uint32_t lane = 0; lane < block.size(); lane += AtomBlock::kLane) {
-    const AtomBlock::Lane squared = (block.lane(0, lane) - p.x()).square() + (block.lane(1, lane) - p.y()).square() +
-                                    (block.lane(2, lane) - p.z()).square();
-    if (squared.minCoeff() >= squared_radius) continue;
-    for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
-      if (squared[i] < squared_radius) visit(lane + i, squared[i]);
+void AtomTree::forEachNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit) {
+  for (std::uint32_t first = 0; first < block.size(); first += AtomBlock::kMaskSize) {
+    for (std::uint32_t mask = block.nearMask(p, squared_radius, first); mask != 0; mask &= mask - 1) {
+      const std::uint32_t i = first + static_cast<std::uint32_t>(__builtin_ctz(mask));
+      visit(i, block.squaredDistance(i, p));
     }
   }
-}
-
-// Of those who write, one comes close after another, so that their leaves are in the cache: comparing cells costs less
-// there than measuring gaps and sending for memory.
-template <class Visit>
-void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) {
-  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
-  visitLeaves({p - reach, p + reach}, [&](Child child) {
-    AtomBlock& block = leaf(child);
-    visitNear(block, p, radius * radius, [&](std::uint32_t i, float squared_distance) {
-      visit(AtomRef{&block, i}, squared_distance);
-    });
-  });
 }
 
 template <class Visit>
@@ -98,7 +82,7 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
   const float squared_radius = radius * radius;
   const auto find_leaves = [&](const auto& found) { visitLeavesWithin(root_, p, squared_radius, Gap(), found); };
   visitPrefetched(find_leaves, [&](const AtomBlock& block) {
-    visitNear(block, p, squared_radius, [&](std::uint32_t i, float squared_distance) {
+    forEachNear(block, p, squared_radius, [&](std::uint32_t i, float squared_distance) {
       visit(ConstAtomRef{&block, i}, squared_distance);
     });
   });
@@ -173,6 +157,31 @@ void AtomTree::forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const
       if (box.contains(block.center(i))) visit(ConstAtomRef{&block, i});
     }
   });
+}
+
+template <class Visit>
+void AtomTree::forEachLeaf(const Eigen::AlignedBox3f& box, Visit&& visit) {
+  if (size_ == 0) return;
+  constexpr float kAll = std::numeric_limits<float>::infinity();
+  visitBoxes(root_, box, {Eigen::Vector3f::Constant(-kAll), Eigen::Vector3f::Constant(kAll)}, visit);
+}
+
+template <class Visit>
+void AtomTree::visitBoxes(Child child, const Eigen::AlignedBox3f& box, Eigen::AlignedBox3f bounds, Visit&& visit) {
+  while (!isLeaf(child)) {
+    const Inner& node = inner(child);
+    const bool below = box.min()[node.axis] < node.plane;
+    const bool above = box.max()[node.axis] >= node.plane;
+    if (below && above) {
+      Eigen::AlignedBox3f lower = bounds;
+      lower.max()[node.axis] = node.plane;
+      visitBoxes(node.children[0], box, lower, visit);
+    }
+    if (above) bounds.min()[node.axis] = node.plane;
+    if (!above) bounds.max()[node.axis] = node.plane;
+    child = node.children[above ? 1 : 0];
+  }
+  visit(leaf(child), bounds);
 }
 
 template <class Visit>

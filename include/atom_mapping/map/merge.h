@@ -8,9 +8,13 @@
 #include "atom_mapping/base/types.h"
 #include "atom_mapping/map/atom_map.h"
 #include "atom_mapping/map/center_set.h"
+#include "atom_mapping/map/vicinity.h"
 #include "atom_mapping/scan/normal_rays.h"
 
 namespace atom_map {
+
+// Candidates come block by block, of so many diameters: those of the candidate filter.
+constexpr float kBlock = 4.0F;
 
 struct MergeReport {
   std::uint32_t inserted = 0;  // candidates that became atoms
@@ -18,7 +22,7 @@ struct MergeReport {
 };
 
 // Merges the candidates of one scan. They may come in several calls, occupied ones before free ones, so that a server
-// can let readers in between.
+// can let readers and other writers in between.
 // Choice: an atom that a return of this scan raised is not lowered by the same scan's rays passing by, as in OctoMap;
 // but only near the return's own atom, or the free atoms in front of a surface would never grow sure and the surface
 // between them and the occupied ones would lie too far out.
@@ -35,7 +39,8 @@ class OccupancyMerge {
  private:
   void add(const Candidate& candidate);
 
-  AtomMap& map_;
+  float diameter_;  // m, of an atom
+  Vicinity vicinity_;
   float max_log_odds_;
   CenterSet held_;
   MergeReport report_;
@@ -57,7 +62,8 @@ class DistanceMerge {
  private:
   void add(const DistanceCandidate& candidate);
 
-  AtomMap& map_;
+  float diameter_;  // m, of an atom
+  Vicinity vicinity_;
   float xi_;
   MergeReport report_;
 };

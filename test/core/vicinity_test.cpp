@@ -1,0 +1,70 @@
+// Searches close after one another find what a walk over a plain list finds, while the tree grows beneath them.
+#include "atom_mapping/map/vicinity.h"
+
+#include <gtest/gtest.h>
+
+#include "tree_under_test.h"
+
+namespace atom_map {
+namespace {
+
+using Eigen::Vector3f;
+
+class VicinitySearch : public TreeUnderTest {
+ protected:
+  std::vector<PlainAtom> found(Vicinity& vicinity, const Vector3f& p) const {
+    std::vector<PlainAtom> atoms;
+    vicinity.forEachWithin(p, [&](AtomRef atom, float squared_distance) {
+      EXPECT_EQ(squared_distance, atom.block->squaredDistance(atom.index, p));
+      atoms.push_back(plain({atom.block, atom.index}, value_count_));
+    });
+    return sorted(atoms);
+  }
+
+  std::vector<PlainAtom> listed(const Vector3f& p, float radius) const {
+    std::vector<PlainAtom> atoms;
+    tree_.forEachWithin(p, radius, [&](ConstAtomRef atom, float) { atoms.push_back(plain(atom, value_count_)); });
+    return sorted(atoms);
+  }
+};
+
+TEST_P(VicinitySearch, FindsWhatTheTreeFindsWhileAtomsAreInserted) {
+  Random random(1);
+  for (const float radius : {0.3F, 2.0F}) {
+    Vicinity vicinity(tree_, radius, 4.0F * radius);
+    for (int i = 0; i < 60; ++i) {
+      const Vector3f middle = drawQuery(random);
+      for (int k = 0; k < 5; ++k) {
+        const Vector3f p = middle + drawWithin(random, 3.0F * radius);
+        ASSERT_EQ(found(vicinity, p), listed(p, radius)) << "at " << p.transpose();
+        const PlainAtom more = numbered(p, tree_.size(), value_count_);
+        if (k % 2 == 0) vicinity.insert(more.center, more.values.data());
+        ASSERT_EQ(found(vicinity, p), listed(p, radius)) << "after an insertion at " << p.transpose();
+      }
+    }
+  }
+}
+
+TEST_P(VicinitySearch, ForgetsWhatOthersHaveRemoved) {
+  Random random(2);
+  Vicinity vicinity(tree_, 2.0F, 8.0F);
+  for (int i = 0; i < 20; ++i) {
+    const Vector3f p = drawQuery(random);
+    found(vicinity, p);
+    tree_.removeInBox({p - Vector3f::Constant(1.0F), p + Vector3f::Constant(1.0F)});
+    vicinity.forget();
+    ASSERT_EQ(found(vicinity, p), listed(p, 2.0F));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, VicinitySearch, everyDistribution(), nameOf);
+
+TEST(VicinityAtom, MayBeChangedWhereItIsFound) {
+  AtomTree tree = makeTree(numbered(gridOnCellBorders(), 2), kCell, 2);
+  Vicinity vicinity(tree, 0.1F, 0.4F);
+  vicinity.forEachWithin(Vector3f::Zero(), [](AtomRef atom, float) { atom.value(1) = 7.0F; });
+  EXPECT_EQ(tree.nearest(Vector3f::Zero(), 1.0F)->values[1], 7.0F);
+}
+
+}  // namespace
+}  // namespace atom_map
