@@ -6,6 +6,8 @@ find_package(ZLIB REQUIRED)
 include_directories(SYSTEM ${PCL_INCLUDE_DIRS} ${OCTOMAP_INCLUDE_DIRS} ${HDF5_INCLUDE_DIRS})
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
+# Nobody reads errno after a square root, nor catches floating-point exceptions.
+add_compile_options(-fno-math-errno -fno-trapping-math)
 # A program loads only the libraries that it calls.
 add_link_options(LINKER:--as-needed)
 if(ATOM_MAPPING_SANITIZE)

@@ -13,12 +13,18 @@ namespace {
 
 constexpr float kMinFacing = 0.05F;  // cosine between normal and ray: a plane seen more obliquely is the edge of a step
 
-// Weighted sum of the squared distances from a plane through the point, in units of their tolerance and at most one.
-// The normal may have any length.
-float disagreement(const Neighborhood& neighbors, const Eigen::Vector3f& normal) {
+// Weighted sum of the squared distances from a plane, in units of their tolerance and at most one. The normal may have any
+// length; the plane passes `offset` lengths of it from the point.
+float disagreement(const Neighborhood& neighbors, const Eigen::Vector3f& normal, float offset = 0.0F) {
   const float per_length = 1.0F / normal.squaredNorm();
-  const auto squared = (neighbors.along(normal) * neighbors.per_tolerance).square() * per_length;
+  const auto squared = ((neighbors.along(normal) - offset) * neighbors.per_tolerance).square() * per_length;
   return (neighbors.weight * squared.min(1.0F)).sum();
+}
+
+// Weights that fall to zero where neighbours leave their tolerance. `normal`: unit.
+Neighborhood::Floats weightsOn(const Neighborhood& neighbors, const Eigen::Vector3f& normal, float offset = 0.0F) {
+  const auto squared = ((neighbors.along(normal) - offset) * neighbors.per_tolerance).square();
+  return neighbors.weight * (1.0F - squared.square()).max(0.0F);
 }
 
 // The normal that most neighbours agree on, of planes through the point, a neighbour on its ring and one on another,
@@ -26,8 +32,10 @@ float disagreement(const Neighborhood& neighbors, const Eigen::Vector3f& normal)
 Eigen::Vector3f agreedNormal(const Neighborhood& neighbors, const Eigen::Vector3f& towards_sensor) {
   Eigen::Vector3f best = towards_sensor;
   float least = std::numeric_limits<float>::infinity();
-  constexpr float kTiny = 1e-30F;  // below it floats lose their digits
+  const float enough = 0.3F * neighbors.weight.sum();  // disagreement of so few is no reason to look further
+  constexpr float kTiny = 1e-30F;                      // below it floats lose their digits
   const auto propose = [&](const Eigen::Vector3f& normal) {
+    if (least < enough) return;
     const float facing = normal.dot(towards_sensor);
     const float squared_length = normal.squaredNorm();
     if (squared_length < kTiny || facing * facing <= kMinFacing * kMinFacing * squared_length) return;
@@ -58,26 +66,32 @@ Eigen::Vector3f turnedTowards(const Eigen::Vector3f& sensor, const Eigen::Vector
   return normal.dot(sensor) < 0.0F ? Eigen::Vector3f(-normal) : normal;
 }
 
-// The plane that the point and all its neighbours lie on, as most do; nothing where any of them lies off it.
+// The plane that the point and nearly all its neighbours lie on; nothing where there is none.
 std::optional<Normal> commonPlane(const Neighborhood& neighbors, const Eigen::Vector3f& towards_sensor, float noise) {
-  const Moments moments = momentsOf(neighbors, neighbors.weight);
-  const PlaneFit plane = fitPlane(moments.covariance);
-  const Eigen::Vector3f normal = turnedTowards(towards_sensor, plane.normal);
-  if (plane.breadth <= 2.0F * noise || normal.dot(towards_sensor) <= kMinFacing) return std::nullopt;
-  const auto distance = neighbors.along(normal) - normal.dot(moments.mean);
-  if ((distance * neighbors.per_tolerance).abs().maxCoeff() > 1.0F) return std::nullopt;
-  return Normal{normal, Fit::kPlane};
+  constexpr float kFew = 0.15F;  // of the neighbours' weight: what noise alone gives, and some
+  const Moments all = momentsOf(neighbors, neighbors.weight);
+  const PlaneFit first = fitPlane(all.covariance);
+  const float first_offset = first.normal.dot(all.mean);
+  if (first.breadth <= 2.0F * noise) return std::nullopt;
+  if (disagreement(neighbors, first.normal, first_offset) > kFew * neighbors.weight.sum()) return std::nullopt;
+  const Moments agreeing = momentsOf(neighbors, weightsOn(neighbors, first.normal, first_offset));
+  const Eigen::Vector3f normal = turnedTowards(towards_sensor, fitPlane(agreeing.covariance).normal);
+  const float offset = normal.dot(agreeing.mean);
+  if (normal.dot(towards_sensor) <= kMinFacing || std::abs(offset) > 3.0F * noise + 1e-3F) return std::nullopt;
+  return Normal{normal, Fit::kPlane, offset};
 }
 
 // Least squares over the neighbours that agree; falls back where they do not span a plane.
 Normal refine(const Neighborhood& neighbors, const Eigen::Vector3f& agreed, const Eigen::Vector3f& towards_sensor,
               float noise) {
-  const auto agrees = (neighbors.along(agreed) * neighbors.per_tolerance).abs() <= 1.0F;
-  const Neighborhood::Floats weight = agrees.select(neighbors.weight, 0.0F);
+  const Neighborhood::Floats weight = weightsOn(neighbors, agreed);
   if ((weight > 0.0F).count() < 2) return {towards_sensor, Fit::kNone};
   const Moments moments = momentsOf(neighbors, weight);
   const PlaneFit plane = fitPlane(moments.covariance);
-  if (plane.breadth > 2.0F * noise) return {turnedTowards(towards_sensor, plane.normal), Fit::kPlane};
+  if (plane.breadth > 2.0F * noise) {
+    const Eigen::Vector3f normal = turnedTowards(towards_sensor, plane.normal);
+    return {normal, Fit::kPlane, normal.dot(moments.mean)};
+  }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(moments.covariance);
   const Eigen::Vector3f line = solver.eigenvectors().col(2);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
+#include <vector>
 
 #include "atom_mapping/base/cell_table.h"
 
@@ -51,26 +51,24 @@ void sortReturns(const LidarScan& scan, const ScanParameters& parameters, Filter
   }
 }
 
-// One point of each cell, every one with the same probability (reservoir sampling).
+// One point of each cell, every one with the same probability: that with the greatest number drawn.
 void thin(FilteredScan& scan, float cell_size, Random& random) {
-  struct Cell {
-    std::uint32_t points = 0;
-    std::uint32_t place = 0;  // in kept
-  };
-  CellTable<Cell> cells(cell_size);
-  std::vector<std::uint32_t> kept;
-  for (const std::uint32_t ray : scan.rays) {
-    Cell& cell = cells.at(scan.points[ray]);
-    if (cell.points++ == 0) {
-      cell.place = static_cast<std::uint32_t>(kept.size());
-      kept.push_back(ray);
-    } else if (random.uniform() * static_cast<float>(cell.points) < 1.0F) {
-      kept[cell.place] = ray;
-    }
+  constexpr std::uint64_t kNumber = ~std::uint64_t{0} << 32;  // beneath it, which of the rays it is
+  CellTable<std::uint64_t> cells(cell_size);
+  const auto count = static_cast<std::uint32_t>(scan.rays.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint64_t& greatest = cells.at(scan.points[scan.rays[i]]);
+    greatest = std::max(greatest, (random.next() & kNumber) | i);
   }
-  std::sort(kept.begin(), kept.end());
-  scan.report.thinned = static_cast<std::uint32_t>(scan.rays.size() - kept.size());
-  scan.rays = std::move(kept);
+  std::vector<std::uint8_t> is_kept(count, 0);
+  cells.forEach([&](std::uint64_t greatest) { is_kept[greatest & ~kNumber] = 1; });
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    scan.rays[kept] = scan.rays[i];
+    kept += is_kept[i];
+  }
+  scan.rays.resize(kept);
+  scan.report.thinned = count - kept;
 }
 
 }  // namespace

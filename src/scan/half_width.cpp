@@ -11,18 +11,18 @@ constexpr float kJump = 0.3F;  // m between the ranges of neighbours: not the sa
 constexpr int kMaxGap = 3;     // pixels without a return: a lost one, not yet the end of a thing
 constexpr int kUnbounded = 1 << 20;
 
-// Pixels from the ray to the end of its thing on one side (direction 1 or -1); kUnbounded if none is found within
+// Pixels from a return to the end of its thing on one side (direction 1 or -1); kUnbounded if none is found within
 // max_pixels or something nearer hides it.
 int pixelsToEdge(const RangeImage& image, const RangeImage::Pixel& start, float range, int direction, int max_pixels) {
+  const RangeImage::Return* const ring = image.row(start.row);
   int last = 0;
   for (int i = 1; i <= max_pixels + kMaxGap; ++i) {
     if (i - last > kMaxGap) return last;
-    const RangeImage::Return& beside = image.at(start.row, start.column + direction * i);
+    const RangeImage::Return& beside = ring[image.wrapped(start.column + direction * i)];
     if (beside.index < 0) continue;
-    const float range_beside = beside.point.norm();
-    if (range_beside > range + kJump) return last;
-    if (range_beside < range - kJump) return kUnbounded;
-    range = range_beside;
+    if (beside.range > range + kJump) return last;
+    if (beside.range < range - kJump) return kUnbounded;
+    range = beside.range;
     last = i;
   }
   return kUnbounded;

@@ -4,11 +4,6 @@
 #include <cmath>
 
 namespace atom_map {
-namespace {
-
-constexpr float kStepsPerRadius = 8.0F;
-
-}  // namespace
 
 float touchingAngle(float radius, float distance) {
   const float ratio = radius / distance;
@@ -16,7 +11,7 @@ float touchingAngle(float radius, float distance) {
 }
 
 Interleaver::Interleaver(float radius, float lambda, float max_distance, Random& random)
-    : lambda_(lambda), steps_per_metre_(kStepsPerRadius / radius), random_(random) {
+    : lambda_(lambda), steps_per_metre_(0.5F * kStepsPerDiameter / radius), random_(random) {
   const auto steps = static_cast<std::size_t>(max_distance * steps_per_metre_) + 2;
   touching_angles_.reserve(steps);
   for (std::size_t i = 0; i < steps; ++i) {

@@ -1,6 +1,7 @@
 #include "atom_mapping/scan/neighborhood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "atom_mapping/base/angles.h"
@@ -28,42 +29,47 @@ Steps stepsAt(float range, const RangeImage& image, const ScanParameters& parame
           std::clamp(steps(parameters.horizontal_resolution, kSamplesBeside), 1, widest)};
 }
 
-// The return in a pixel or in one beside it.
-const RangeImage::Return& returnNear(const RangeImage& image, int row, int column) {
-  for (const int beside : {0, 1}) {
-    const RangeImage::Return& found = image.at(row, column + beside);
-    if (found.index >= 0) return found;
-  }
-  return image.at(row, column - 1);
+// The return in a pixel of a ring or in one beside it; -1 where all three are empty.
+std::int32_t returnNear(const RangeImage& image, const RangeImage::Return* ring, int column) {
+  if (ring[column].index >= 0) return ring[column].index;
+  const std::int32_t beside = ring[image.wrapped(column + 1)].index;
+  return beside >= 0 ? beside : ring[image.wrapped(column - 1)].index;
 }
 
-void gather(const RangeImage& image, std::uint32_t ray, const Eigen::Vector3f& point, const Steps& steps,
+void gather(const RangeImage& image, const std::vector<Eigen::Vector3f>& points, std::uint32_t ray, const Steps& steps,
             Neighborhood& neighbors) {
   const RangeImage::Pixel middle = image.pixel(ray);
+  const Eigen::Vector3f& point = points[ray];
+  std::array<int, Neighborhood::kColumns> columns{};
+  for (int c = 0; c < Neighborhood::kColumns; ++c) {
+    columns[c] = image.wrapped(middle.column + (c - kSamplesBeside) * steps.column);
+  }
+  int size = 0;
   for (int r = 0; r < Neighborhood::kRows; ++r) {
-    const int row = middle.row + (r - kRingsBeside) * steps.row;
+    neighbors.index[r].fill(-1);
+    const RangeImage::Return* const ring = image.row(middle.row + (r - kRingsBeside) * steps.row);
+    if (ring == nullptr) continue;
     for (int c = 0; c < Neighborhood::kColumns; ++c) {
-      const RangeImage::Return& found = returnNear(image, row, middle.column + (c - kSamplesBeside) * steps.column);
-      const bool is_neighbor = found.index >= 0 && found.index != static_cast<std::int32_t>(ray);
-      neighbors.index[r][c] = is_neighbor ? neighbors.size : -1;
-      if (!is_neighbor) continue;
-      const Eigen::Vector3f offset = found.point - point;
-      const int i = neighbors.size++;
-      neighbors.x[i] = offset.x();
-      neighbors.y[i] = offset.y();
-      neighbors.z[i] = offset.z();
+      const std::int32_t found = returnNear(image, ring, columns[c]);
+      if (found < 0 || found == static_cast<std::int32_t>(ray)) continue;
+      const Eigen::Vector3f& neighbor = points[static_cast<std::size_t>(found)];
+      neighbors.x[size] = neighbor.x() - point.x();
+      neighbors.y[size] = neighbor.y() - point.y();
+      neighbors.z[size] = neighbor.z() - point.z();
+      neighbors.index[r][c] = size++;
     }
   }
+  neighbors.size = size;
 }
 
 }  // namespace
 
-Neighborhood collectNeighbors(const RangeImage& image, std::uint32_t ray, const Eigen::Vector3f& point,
+Neighborhood collectNeighbors(const RangeImage& image, const std::vector<Eigen::Vector3f>& points, std::uint32_t ray,
                               const ScanParameters& parameters) {
-  const float range = point.norm();
+  const float range = points[ray].norm();
   const Steps steps = stepsAt(range, image, parameters);
   Neighborhood neighbors;
-  gather(image, ray, point, steps, neighbors);
+  gather(image, points, ray, steps, neighbors);
   const auto ring_spacing = static_cast<float>(range * parameters.vertical_resolution * kDegree * steps.row);
   const float reach = std::max(ring_spacing, static_cast<float>(parameters.normal_support));
   const auto noise = static_cast<float>(parameters.range_noise);

@@ -1,5 +1,6 @@
 #include "atom_mapping/scan/normals.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,15 +15,63 @@
 namespace atom_map {
 namespace {
 
+constexpr float kCurvature = 0.005F;  // distance from a cell's plane that is tolerated, over the cell's side
 constexpr float kNotThin = std::numeric_limits<float>::infinity();
 
-// Whether a return lies on the plane of another one's surface, and on the side of it that the sensor sees.
-bool isOnPlane(const SurfacePoint& surface, const Eigen::Vector3f& point, float noise) {
-  constexpr float kCurvature = 0.01F;  // distance from the plane that is tolerated, over the distance from its point
-  const Eigen::Vector3f offset = point - surface.position;
-  return std::abs(surface.normal.dot(offset)) < 2.0F * noise + kCurvature * offset.norm() &&
-         -surface.normal.dot(point) > kMinFacing * point.norm();
-}
+// A plane that was fitted to a return.
+struct Patch {
+  Eigen::Vector3f normal;  // unit, turned towards the sensor
+  float distance;          // m, of the sensor from the plane
+
+  // Whether a return lies on it, and on the side of it that the sensor sees.
+  bool holds(const Eigen::Vector3f& point, float tolerance) const {
+    const float depth = -normal.dot(point);  // of the return, square to the plane
+    return std::abs(distance - depth) < tolerance && depth > 0.0F &&
+           depth * depth > kMinFacing * kMinFacing * point.squaredNorm();
+  }
+};
+
+// The first planes of a cell.
+struct Patches {
+  std::array<Patch, 3> planes;
+  std::uint32_t size = 0;
+
+  const Patch* find(const Eigen::Vector3f& point, float tolerance) const {
+    for (std::uint32_t i = 0; i < size; ++i) {
+      if (planes[i].holds(point, tolerance)) return &planes[i];
+    }
+    return nullptr;
+  }
+
+  void add(const Patch& patch) {
+    if (size < planes.size()) planes[size++] = patch;
+  }
+};
+
+// Cell by cell.
+class SharedPlanes {
+ public:
+  // `cell_size` in metres; 0: none is shared.
+  explicit SharedPlanes(float cell_size) {
+    if (cell_size > 0.0F) cells_.emplace(cell_size);
+  }
+
+  // Of the cell that holds the point. Valid until the next call.
+  Patches& near(const Eigen::Vector3f& point) {
+    if (!cells_) return none_ = Patches();
+    std::uint32_t& number = cells_->at(point);  // counted from 1
+    if (number == 0) {
+      patches_.emplace_back();
+      number = static_cast<std::uint32_t>(patches_.size());
+    }
+    return patches_[number - 1];
+  }
+
+ private:
+  std::optional<CellTable<std::uint32_t>> cells_;
+  std::vector<Patches> patches_;
+  Patches none_;
+};
 
 }  // namespace
 
@@ -33,23 +82,25 @@ std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, double radiu
   const auto noise = static_cast<float>(parameters.range_noise);
   const auto thin_width = static_cast<float>(parameters.thin_width);
   const auto cell_size = static_cast<float>(parameters.shared_normals * radius);
-  std::optional<CellTable<std::uint32_t>> patches;  // one more than the place of a cell's first plane, or 0
-  if (cell_size > 0.0F) patches.emplace(cell_size);
+  const float tolerance = 2.0F * noise + kCurvature * cell_size;
+  SharedPlanes planes(cell_size);
   std::vector<SurfacePoint> surface;
   surface.reserve(scan.rays.size());
   for (const std::uint32_t ray : scan.rays) {
     const Eigen::Vector3f& point = scan.points[ray];
-    std::uint32_t unused = 0;
-    std::uint32_t& patch = patches ? patches->at(point) : unused;
-    if (patch > 0 && isOnPlane(surface[patch - 1], point, noise)) {
-      surface.push_back({point, surface[patch - 1].normal, kNotThin});
+    Patches& patches = planes.near(point);
+    if (const Patch* const patch = patches.find(point, tolerance)) {
+      surface.push_back({point, patch->normal, kNotThin});
       ++report.shared;
       continue;
     }
-    const Normal normal = estimateNormal(collectNeighbors(image, ray, point, parameters), -point.normalized(), noise);
+    const Neighborhood neighbors = collectNeighbors(image, scan.points, ray, parameters);
+    const Normal normal = estimateNormal(neighbors, -point.normalized(), noise);
     const float half_width = halfWidth(image, ray, point, thin_width);
     surface.push_back({point, normal.direction, half_width});
-    if (patch == 0 && normal.fit == Fit::kPlane && half_width == kNotThin) patch = surface.size();
+    if (normal.fit == Fit::kPlane && half_width == kNotThin) {
+      patches.add({normal.direction, -normal.direction.dot(point) - normal.offset});
+    }
     report.from_line += normal.fit == Fit::kLine ? 1 : 0;
     report.from_ray += normal.fit == Fit::kNone ? 1 : 0;
   }

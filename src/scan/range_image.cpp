@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "atom_mapping/base/angles.h"
-#include "atom_mapping/base/fast_atan2.h"
 #include "atom_mapping/base/floor_to_int.h"
+#include "atom_mapping/scan/directions.h"
 
 namespace atom_map {
 namespace {
@@ -17,10 +17,7 @@ namespace {
 float rowPhase(const std::vector<float>& elevations, float rows_per_radian) {
   constexpr int kBins = 16;
   std::array<int, kBins> counts{};
-  for (const float elevation : elevations) {
-    const float row = elevation * rows_per_radian;
-    ++counts[std::min(kBins - 1, static_cast<int>((row - static_cast<float>(floorToInt(row))) * kBins))];
-  }
+  for (const float elevation : elevations) ++counts[floorToInt(elevation * rows_per_radian * kBins) & (kBins - 1)];
   int best = 0;
   int fewest = static_cast<int>(4 * elevations.size()) + 1;
   for (int bin = 0; bin < kBins; ++bin) {
@@ -38,40 +35,31 @@ RangeImage::RangeImage(const std::vector<Eigen::Vector3f>& points, double horizo
                        double vertical_resolution)
     : columns_(std::max(1, static_cast<int>(std::lround(2.0 * kPi / horizontal_resolution)))) {
   if (points.empty()) return;
-  std::vector<float> elevations(points.size());
-  std::vector<float> azimuths(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f& p = points[i];
-    elevations[i] = fastAtan2(p.z(), std::sqrt(p.x() * p.x() + p.y() * p.y()));
-    azimuths[i] = fastAtan2(p.y(), p.x());
-  }
-  placeAll(elevations, azimuths, static_cast<float>(1.0 / vertical_resolution));
-  keepNearest(points);
+  const Directions directions = directionsOf(points);
+  placeAll(directions, static_cast<float>(1.0 / vertical_resolution));
+  keepNearest(directions.range);
 }
 
 // The pixels of all points, and how many rows they take.
-void RangeImage::placeAll(const std::vector<float>& elevations, const std::vector<float>& azimuths,
-                          float rows_per_radian) {
-  const float phase = rowPhase(elevations, rows_per_radian);
+void RangeImage::placeAll(const Directions& directions, float rows_per_radian) {
   const auto columns_per_radian = static_cast<float>(columns_ / (2.0 * kPi));
-  pixels_.resize(elevations.size());
-  first_row_ = std::numeric_limits<int>::max();
-  end_row_ = std::numeric_limits<int>::min();
-  for (std::size_t i = 0; i < elevations.size(); ++i) {
-    const int row = floorToInt(elevations[i] * rows_per_radian - phase);
-    const auto column = static_cast<int>((azimuths[i] + static_cast<float>(kPi)) * columns_per_radian);
-    pixels_[i] = {row, column < columns_ ? column : 0};
-    first_row_ = std::min(first_row_, row);
-    end_row_ = std::max(end_row_, row + 1);
+  const float phase = rowPhase(directions.elevation, rows_per_radian);
+  const auto row = [&](float elevation) { return floorToInt(elevation * rows_per_radian - phase); };
+  const auto [lowest, highest] = std::minmax_element(directions.elevation.begin(), directions.elevation.end());
+  first_row_ = row(*lowest);
+  end_row_ = row(*highest) + 1;
+  pixels_.resize(directions.elevation.size());
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const auto column = static_cast<int>((directions.azimuth[i] + static_cast<float>(kPi)) * columns_per_radian);
+    pixels_[i] = {row(directions.elevation[i]), column < columns_ ? column : 0};
   }
 }
 
-void RangeImage::keepNearest(const std::vector<Eigen::Vector3f>& points) {
+void RangeImage::keepNearest(const std::vector<float>& ranges) {
   nearest_.resize(static_cast<std::size_t>(end_row_ - first_row_) * columns_);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
     Return& nearest = nearest_[place(pixels_[i])];
-    if (nearest.index >= 0 && points[i].squaredNorm() >= nearest.point.squaredNorm()) continue;
-    nearest = {points[i], static_cast<std::int32_t>(i)};
+    if (nearest.index < 0 || ranges[i] < nearest.range) nearest = {ranges[i], static_cast<std::int32_t>(i)};
   }
 }
 

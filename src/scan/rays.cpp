@@ -63,7 +63,7 @@ class RayTracer {
     const float step = 2.0F * radius_;
     const auto count = static_cast<std::uint32_t>(std::max(0.0F, std::ceil((range - first) / step)));
     candidates.proposed += count;
-    interleaver_.keepAlong(range - first, step, count, resolution, [&](std::uint32_t i) {
+    interleaver_.keepAlong(range - first, count, resolution, [&](std::uint32_t i) {
       const float along = first + static_cast<float>(i) * step;
       candidates.free.push_back({start + along * direction, miss_});
     });

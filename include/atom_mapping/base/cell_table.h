@@ -29,6 +29,14 @@ class CellTable {
     return slot->value;
   }
 
+  // Calls visit(value) for each cell that was asked for, in no particular order.
+  template <class Visit>
+  void forEach(Visit&& visit) const {
+    for (const Slot& slot : slots_) {
+      if (slot.key != kEmpty) visit(slot.value);
+    }
+  }
+
  private:
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};  // keyOf never gives it: it uses 63 bits
   struct Slot {

@@ -2,6 +2,7 @@
 // such that about one of those that overlap one another does.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <vector>
@@ -38,32 +39,45 @@ class Interleaver {
     return random_.uniform() < probability(distance, 1.0F / angular_resolution);
   }
 
-  // Calls visit(i) for those that stay of the candidates i = 0 to count - 1 of one ray, at distance - i * step from the
-  // sensor, each with the same chance as in keep().
+  // Calls visit(i) for those that stay of the candidates i = 0 to count - 1 of one ray, the first at `distance` from the
+  // sensor and the others a diameter each nearer to it, with the same chance as in keep().
   // Choice: the draws of one ray, whose candidates do not overlap, depend on one another: one stays each time that their
   // chances have added up to one more (systematic sampling). So it takes one number a ray, and long gaps are rarer.
   template <class Visit>
-  void keepAlong(float distance, float step, std::uint32_t count, float angular_resolution, Visit&& visit) {
+  void keepAlong(float distance, std::uint32_t count, float angular_resolution, Visit&& visit) {
     const float rays_per_radian = 1.0F / angular_resolution;
+    const float lambda = lambda_;
+    const float* const touching_angles = touching_angles_.data();
+    auto step = static_cast<std::int32_t>(distance * steps_per_metre_);
+    assert(static_cast<std::size_t>(step) < touching_angles_.size());
+    // Without branches: which candidates stay is hard to foretell.
+    kept_.resize(std::max<std::size_t>(kept_.size(), count + 1));
+    std::uint32_t* end = kept_.data();
     float sum = random_.uniform();
     for (std::uint32_t i = 0; i < count; ++i) {
-      sum += probability(distance - static_cast<float>(i) * step, rays_per_radian);
-      if (sum < 1.0F) continue;
-      sum -= 1.0F;
-      visit(i);
+      sum += keepProbability(overlapCount(touching_angles[step], rays_per_radian), lambda);
+      step = std::max(step - kStepsPerDiameter, 0);
+      const bool stays = sum >= 1.0F;
+      *end = i;
+      end += stays ? 1 : 0;
+      sum -= stays ? 1.0F : 0.0F;
     }
+    std::for_each(kept_.data(), end, visit);
   }
 
  private:
+  static constexpr std::int32_t kStepsPerDiameter = 16;
+
   float probability(float distance, float rays_per_radian) const {
-    const auto step = static_cast<std::size_t>(distance * steps_per_metre_);
-    assert(step < touching_angles_.size());
+    const auto step = static_cast<std::int32_t>(distance * steps_per_metre_);
+    assert(step >= 0 && static_cast<std::size_t>(step) < touching_angles_.size());
     return keepProbability(overlapCount(touching_angles_[step], rays_per_radian), lambda_);
   }
 
   float lambda_;
   float steps_per_metre_;
   std::vector<float> touching_angles_;  // over distance
+  std::vector<std::uint32_t> kept_;     // of the ray at hand
   Random& random_;
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "atom_mapping/base/parameters.h"
 #include "atom_mapping/scan/range_image.h"
@@ -29,8 +30,8 @@ struct Neighborhood {
   auto along(const Eigen::Vector3f& normal) const { return x * normal.x() + y * normal.y() + z * normal.z(); }
 };
 
-// Of the return `ray`, which lies at `point`, in the scan that the image shows.
-Neighborhood collectNeighbors(const RangeImage& image, std::uint32_t ray, const Eigen::Vector3f& point,
+// Of the return points[ray]; `image` is that of the points.
+Neighborhood collectNeighbors(const RangeImage& image, const std::vector<Eigen::Vector3f>& points, std::uint32_t ray,
                               const ScanParameters& parameters);
 
 }  // namespace atom_map

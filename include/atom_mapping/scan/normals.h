@@ -20,8 +20,8 @@ struct NormalReport {
 //
 // A VLP-16's rings lie far apart, so that the nearest points are all on one ring, and a plane through a line is
 // arbitrary. Choice: the neighbours come from the range image, some from each of five rings.
-// Choice: one normal is estimated for each cell of scan/shared_normals radii. The cell's other returns share it where they
-// lie on its plane, which also tests it; only the others have one of their own.
+// Choice: returns that lie on a plane which was fitted to another one of their cell, of scan/shared_normals radii, share its
+// normal, which also tests it; only the others have one of their own.
 std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, double radius, const ScanParameters& parameters,
                                           NormalReport& report);
 

@@ -18,7 +18,7 @@ template <class AnyCandidate>
 void snapToLattice(std::vector<AnyCandidate>& candidates, float radius) {
   const float spacing = latticeSpacing(radius);
   for (AnyCandidate& candidate : candidates) {
-    candidate.center = spacing * (candidate.center / spacing).array().round();
+    candidate.center = spacing * (candidate.center / spacing).array().rint();
   }
 }
 
