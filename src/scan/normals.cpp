@@ -23,11 +23,11 @@ struct Patch {
   Eigen::Vector3f normal;  // unit, turned towards the sensor
   float distance;          // m, of the sensor from the plane
 
-  // Whether a return lies on it, and on the side of it that the sensor sees.
-  bool holds(const Eigen::Vector3f& point, float tolerance) const {
+  // How far off it a return lies, in metres; infinite for one that faces the sensor on its other side or too obliquely.
+  float distanceTo(const Eigen::Vector3f& point) const {
     const float depth = -normal.dot(point);  // of the return, square to the plane
-    return std::abs(distance - depth) < tolerance && depth > 0.0F &&
-           depth * depth > kMinFacing * kMinFacing * point.squaredNorm();
+    const bool faces = depth > 0.0F && depth * depth > kMinFacing * kMinFacing * point.squaredNorm();
+    return faces ? std::abs(distance - depth) : std::numeric_limits<float>::infinity();
   }
 };
 
@@ -36,11 +36,16 @@ struct Patches {
   std::array<Patch, 3> planes;
   std::uint32_t size = 0;
 
+  // The plane that a return lies on, the nearest of those within the tolerance.
   const Patch* find(const Eigen::Vector3f& point, float tolerance) const {
+    const Patch* found = nullptr;
     for (std::uint32_t i = 0; i < size; ++i) {
-      if (planes[i].holds(point, tolerance)) return &planes[i];
+      const float distance = planes[i].distanceTo(point);
+      if (distance >= tolerance) continue;
+      tolerance = distance;
+      found = &planes[i];
     }
-    return nullptr;
+    return found;
   }
 
   void add(const Patch& patch) {
