@@ -21,22 +21,49 @@ void OccupancyMerge::add(const Candidate* begin, const Candidate* end) {
 }
 
 void OccupancyMerge::add(const Candidate& candidate) {
+  const Overlaps overlaps = updateOverlapped(candidate);
+  if (overlaps.count == 0) {
+    insert(candidate);
+  } else if (candidate.is_thin && overlaps.nearest > 0.5F * diameter_) {
+    addAside(candidate, overlaps.push);
+  }
+}
+
+OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candidate) {
   const bool occupied = candidate.value > 0.0F;
-  bool overlaps = false;
+  Overlaps overlaps;
   vicinity_.forEachWithin(candidate.center, [&](AtomRef atom, float squared_distance) {
-    overlaps = true;
-    if (occupied && squared_distance < candidate.hold * candidate.hold) held_.insert(atom.center());
+    const float distance = std::sqrt(squared_distance);
+    if (candidate.is_thin) overlaps.add(candidate.center - atom.center(), distance, diameter_);
+    ++overlaps.count;
+    if (occupied && distance < candidate.hold) held_.insert(atom.center());
     if (!occupied && held_.contains(atom.center())) return;
-    const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter_);
-    const float log_odds = atom.value() + overlap * candidate.value;  // Eq. (3)
+    const float log_odds = atom.value() + overlapFraction(distance / diameter_) * candidate.value;  // Eq. (3)
     atom.value() = std::clamp(log_odds, -max_log_odds_, max_log_odds_);
     ++report_.updates;
   });
-  if (overlaps) return;
+  return overlaps;
+}
+
+void OccupancyMerge::addAside(const Candidate& candidate, const Eigen::Vector3f& push) {
+  if (push.norm() > 0.5F * diameter_) return;
+  Candidate aside = candidate;
+  aside.center += push;
+  bool is_clear = true;
+  vicinity_.forEachWithin(aside.center, [&](AtomRef, float) { is_clear = false; });
+  if (is_clear) insert(aside);
+}
+
+void OccupancyMerge::insert(const Candidate& candidate) {
   const float log_odds = std::clamp(candidate.value, -max_log_odds_, max_log_odds_);
   vicinity_.insert(candidate.center, &log_odds);
-  if (occupied) held_.insert(candidate.center);
+  if (candidate.value > 0.0F) held_.insert(candidate.center);
   ++report_.inserted;
+}
+
+void OccupancyMerge::Overlaps::add(const Eigen::Vector3f& from_atom, float distance, float diameter) {
+  nearest = std::min(nearest, distance);
+  if (distance > 0.0F) push += (diameter / distance - 1.0F) * from_atom;
 }
 
 }  // namespace atom_map

@@ -10,7 +10,12 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kPasses = 4;
+constexpr int kSweeps = 20;
 constexpr double kGain = 1e-4;  // of a cost; less is not worth the points
+
+Waypoint waypoint(const Vector3f& point, float reach, Clearance& clearance) {
+  return {point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F};
+}
 
 // The straight way from a to b as points two radii apart or nearer, without a itself.
 std::vector<Waypoint> straight(const Waypoint& a, const Waypoint& b, const AtomMap& map, Clearance& clearance,
@@ -20,8 +25,7 @@ std::vector<Waypoint> straight(const Waypoint& a, const Waypoint& b, const AtomM
   const float parts = std::max(1.0F, std::ceil(way.norm() / (2.0F * map.radius())));
   std::vector<Waypoint> points;
   for (float i = 1.0F; i < parts; i += 1.0F) {
-    const Vector3f point = a.position + i / parts * way;
-    points.push_back({point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F});
+    points.push_back(waypoint(a.position + i / parts * way, reach, clearance));
   }
   points.push_back(b);
   return points;
@@ -70,9 +74,42 @@ bool Shortcut::advance(const AtomMap& map, std::chrono::steady_clock::time_point
   }
   while (passes_ < kPasses) {
     goOn(gap_ >= 2 && replace(map, from_, from_ + gap_));
-    if (std::chrono::steady_clock::now() >= deadline) return passes_ >= kPasses;
+    if (std::chrono::steady_clock::now() >= deadline) return false;
+  }
+  while (sweeps_ < kSweeps) {
+    tightenNext(map);
+    if (std::chrono::steady_clock::now() >= deadline) return sweeps_ >= kSweeps;
   }
   return true;
+}
+
+// Sweep by sweep over the points between the ends, until one gains nothing.
+void Shortcut::tightenNext(const AtomMap& map) {
+  if (from_ + 2 < path_.size()) {
+    gains_ = tighten(map, ++from_) || gains_;
+    return;
+  }
+  sweeps_ = gains_ ? sweeps_ + 1 : kSweeps;
+  gains_ = false;
+  from_ = 0;
+}
+
+// Moves a point towards the middle of those beside it, as far as that is safe, if the path costs less by it.
+bool Shortcut::tighten(const AtomMap& map, std::size_t i) {
+  Clearance clearance(map, rules_);
+  const Waypoint& before = path_[i - 1];
+  const Waypoint& after = path_[i + 1];
+  const double old_cost = wayCost(before, path_[i], preference_) + wayCost(path_[i], after, preference_);
+  const Vector3f way = 0.5F * (before.position + after.position) - path_[i].position;
+  for (const float share : {1.0F, 0.5F, 0.25F}) {
+    const float reach = surfaceReach(preference_, map.radius());
+    const Waypoint moved = waypoint(path_[i].position + share * way, reach, clearance);
+    const double cost = wayCost(before, moved, preference_) + wayCost(moved, after, preference_);
+    if (cost > (1.0 - kGain) * old_cost || !isSafeWay(before, {moved, after}, clearance)) continue;
+    path_[i] = moved;
+    return true;
+  }
+  return false;
 }
 
 void Shortcut::goOn(bool is_replaced) {

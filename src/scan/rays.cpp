@@ -24,7 +24,6 @@ class RayTracer {
         miss_(logOdds(parameters.occupancy.miss_probability)),
         thin_weight_(static_cast<float>(parameters.occupancy.thin_weight)),
         hold_reach_(static_cast<float>(parameters.occupancy.hold_reach) * radius_),
-        thin_hold_reach_(static_cast<float>(parameters.occupancy.thin_hold_reach) * radius_),
         horizontal_resolution_(static_cast<float>(parameters.scan.horizontal_resolution * kDegree)),
         spacing_(static_cast<float>(parameters.scan.thinning * parameters.radius)),
         interleaver_(radius_, static_cast<float>(parameters.rays.lambda), static_cast<float>(parameters.scan.max_range),
@@ -32,11 +31,11 @@ class RayTracer {
 
   // Step A: one occupied atom behind the surface and tangent to it.
   // Choice: none is dropped by interleaving, which is for the crowd near the sensor: thin things would vanish.
-  // Choice: the returns of thin things weigh more and hold all that they overlap: most rays nearby pass them by.
+  // Choice: the returns of thin things weigh more: most rays nearby pass them by.
   void traceBehind(const SurfacePoint& point, Candidates& candidates) const {
     const bool thin = std::isfinite(point.half_width);
     candidates.occupied.push_back({point.position - depthBehind(point, radius_) * point.normal,
-                                   thin ? thin_weight_ * hit_ : hit_, thin ? thin_hold_reach_ : hold_reach_});
+                                   thin ? thin_weight_ * hit_ : hit_, hold_reach_, thin});
     ++candidates.proposed;
   }
 
@@ -76,7 +75,6 @@ class RayTracer {
   float miss_;
   float thin_weight_;
   float hold_reach_;       // m
-  float thin_hold_reach_;  // m
   float horizontal_resolution_;
   float spacing_;
   Interleaver interleaver_;

@@ -47,7 +47,6 @@ void forEachParameter(Parameters& p, Visit&& visit) {
   visit("occupancy/miss_probability", p.occupancy.miss_probability, Range{0.001, 0.499});
   visit("occupancy/thin_weight", p.occupancy.thin_weight, Range{0.0, 100.0, true});
   visit("occupancy/hold_reach", p.occupancy.hold_reach, Range{0.0, 2.0});
-  visit("occupancy/thin_hold_reach", p.occupancy.thin_hold_reach, Range{0.0, 2.0});
   visit("occupancy/max_log_odds", p.occupancy.max_log_odds, Range{0.1, 100.0});
 
   visit("signed_distance/xi", p.signed_distance.xi, Range{0.0, kAny, true});

@@ -39,7 +39,6 @@ struct OccupancyParameters {
   double miss_probability = 0.3;  // occupancy that a ray passing by tells of
   double thin_weight = 2.0;       // of the log-odds of a thing narrower than scan/thin_width
   double hold_reach = 1.5;        // radii from its atom within which a return keeps others from being lowered
-  double thin_hold_reach = 1.75;  // the same of a return from a thing narrower than scan/thin_width
   double max_log_odds = 2.0;      // clamp, on both sides
 };
 

@@ -25,8 +25,9 @@ struct SurfacePoint {
 // An atom proposed by one scan in occupancy mode.
 struct Candidate {
   Eigen::Vector3f center;
-  float value;        // log-odds of occupancy to add (paper, Eq. 3)
-  float hold = 0.0F;  // m from the centre within which the scan's free candidates lower no atom
+  float value;           // log-odds of occupancy to add (paper, Eq. 3)
+  float hold = 0.0F;     // m from the centre within which the scan's free candidates lower no atom
+  bool is_thin = false;  // of a thing narrower than the space between atoms may be: see OccupancyMerge
 };
 
 }  // namespace atom_map

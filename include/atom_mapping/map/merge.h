@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "atom_mapping/base/parameters.h"
@@ -26,6 +27,8 @@ struct MergeReport {
 // Choice: an atom that a return of this scan raised is not lowered by the same scan's rays passing by, as in OctoMap;
 // but only near the return's own atom, or the free atoms in front of a surface would never grow sure and the surface
 // between them and the occupied ones would lie too far out.
+// Choice: where none of the atoms that a thin thing's candidate overlaps lies within a radius of it, it is pushed out of them, by
+// a radius at most, and inserted beside them if there is room. Otherwise a pole would be told by an atom up to two radii off.
 class OccupancyMerge {
  public:
   // The map must be in occupancy mode, and outlive this.
@@ -37,7 +40,19 @@ class OccupancyMerge {
   const MergeReport& report() const { return report_; }
 
  private:
+  // What a thin thing's candidate overlaps, and how far (m) it must move to be clear of each alone.
+  struct Overlaps {
+    int count = 0;
+    float nearest = std::numeric_limits<float>::infinity();  // m, to a centre
+    Eigen::Vector3f push = Eigen::Vector3f::Zero();
+
+    void add(const Eigen::Vector3f& from_atom, float distance, float diameter);
+  };
+
   void add(const Candidate& candidate);
+  Overlaps updateOverlapped(const Candidate& candidate);
+  void addAside(const Candidate& candidate, const Eigen::Vector3f& push);
+  void insert(const Candidate& candidate);
 
   float diameter_;  // m, of an atom
   Vicinity vicinity_;

@@ -7,7 +7,8 @@
 
 namespace atom_map {
 
-// Makes a path cheaper: it leaves the atoms where a straight way between two of its points is safe, known and costs less.
+// Makes a path cheaper: it leaves the atoms where a straight way between two of its points is safe, known and costs less, and
+// is pulled tight round what it goes round.
 // May be interrupted as PathSearch may; the path is safe at any time.
 class Shortcut {
  public:
@@ -23,12 +24,15 @@ class Shortcut {
  private:
   bool replace(const AtomMap& map, std::size_t from, std::size_t to);
   void goOn(bool is_replaced);
+  bool tighten(const AtomMap& map, std::size_t i);
+  void tightenNext(const AtomMap& map);
 
   std::vector<Waypoint> path_;
   PathPreference preference_;
   SafetyRules rules_;
   bool is_dense_ = false;
-  int passes_ = 0;  // completed
+  int passes_ = 0;  // completed, of straight ways
+  int sweeps_ = 0;  // completed, of pulling tight
   bool gains_ = false;
   std::size_t from_ = 0;  // what is tried next: the way from this point
   std::size_t gap_ = 0;   // to the one so much farther on
