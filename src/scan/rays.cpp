@@ -74,7 +74,7 @@ class RayTracer {
   float hit_;
   float miss_;
   float thin_weight_;
-  float hold_reach_;       // m
+  float hold_reach_;  // m
   float horizontal_resolution_;
   float spacing_;
   Interleaver interleaver_;

@@ -108,5 +108,49 @@ TEST(MergeOfOneCandidate, AnAtomThatAReturnRaisedIsNotLoweredByItsOwnScanButByTh
   EXPECT_EQ(map.atoms().size(), 1U);
 }
 
+TEST_P(Merge, OfAThinThingKeepsAtomsApartAndChangesNothingElse) {
+  AtomMap map(Mode::kOccupancy, kRadius);
+  AtomMap without(Mode::kOccupancy, kRadius);
+  for (int i = 0; i < 4; ++i) {
+    Scan scan = drawScan(random_, half_);
+    add(without, scan, parameters_);
+    for (Candidate& candidate : scan.occupied) candidate.is_thin = random_.uniform() < 0.5F;
+    add(map, scan, parameters_);
+    expectNoOverlap(map);
+    expectWithinClamps(map, parameters_.max_log_odds);
+  }
+  EXPECT_GE(map.atoms().size(), without.atoms().size() * 9 / 10);
+}
+
+TEST(MergeOfAThinThing, SetsAnAtomAsideOfThoseThatLieFarFromIt) {
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    AtomMap map(Mode::kOccupancy, kRadius);
+    const Vector3f free = drawWithin(random, 3.0F);
+    add(map, {{}, {{free, -0.4F}}}, OccupancyParameters{});
+    const float distance = draw(random, 0.05F, 1.99F) * kRadius;
+    const Candidate pole{free + distance * drawDirection(random), 1.7F, kRadius, true};
+    const MergeReport report = add(map, {{pole}, {}}, OccupancyParameters{});
+    const bool is_far = distance > kRadius;
+    ASSERT_EQ(report.inserted, is_far ? 1U : 0U) << distance << " m off";
+    if (!is_far) continue;
+    const auto nearest = map.atoms().nearest(pole.center, kRadius);
+    ASSERT_TRUE(nearest && nearest->values[0] > 0.0F);
+    ASSERT_NEAR((nearest->center - free).norm(), 2.0F * kRadius, 1e-5F) << "it touches the atom that was there";
+  }
+}
+
+TEST(MergeOfAThinThing, InsertsNothingWhereThereIsNoRoom) {
+  AtomMap map(Mode::kOccupancy, kRadius);
+  Scan corners;  // of a cube, 1.73 radii from its middle: what is pushed out of one lies in others
+  for (const float x : {-1.0F, 1.0F}) {
+    for (const float y : {-1.0F, 1.0F}) {
+      for (const float z : {-1.0F, 1.0F}) corners.free.push_back({1.001F * kRadius * Vector3f(x, y, z), -0.4F});
+    }
+  }
+  ASSERT_EQ(add(map, corners, OccupancyParameters{}).inserted, 8U);
+  EXPECT_EQ(add(map, {{{Vector3f::Zero(), 1.7F, kRadius, true}}, {}}, OccupancyParameters{}).inserted, 0U);
+}
+
 }  // namespace
 }  // namespace atom_map
