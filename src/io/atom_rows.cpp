@@ -1,5 +1,6 @@
 #include "atom_mapping/io/atom_rows.h"
 
+#include <array>
 #include <stdexcept>
 
 namespace atom_map {
@@ -47,8 +48,8 @@ void AtomRows::readColumn(std::size_t column, hsize_t begin, hsize_t count) {
   const std::array<hsize_t, 2> start{begin, column < 3 ? column : 0};
   const std::array<hsize_t, 2> size{count, 1};
   source.selectHyperslab(H5S_SELECT_SET, size.data(), start.data());
-  stretch_[column].resize(count);
-  set.read(stretch_[column].data(), H5::PredType::NATIVE_FLOAT, H5::DataSpace(1, size.data()), source);
+  column_.resize(count);
+  set.read(column_.data(), H5::PredType::NATIVE_FLOAT, H5::DataSpace(1, size.data()), source);
 }
 
 }  // namespace atom_map

@@ -289,6 +289,25 @@ TEST_F(MapFileFaults, AFlippedBitIsRefusedWhereverItIs) {
   EXPECT_EQ(faultOf(path("map.h5")), "");
 }
 
+// HDF5 1.10 dies of some of these.
+TEST_F(MapFileFaults, AForgedFileIsLoadedOrRefusedAndHarmsNobody) {
+  save(Mode::kOccupancy);
+  const std::string good = readSealed(path("map.h5"));
+  constexpr std::size_t kHead = 4096;  // bytes, beyond which lie the chunks
+  int deaths = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    std::string forged = good;
+    for (int i = 0; i < 3; ++i) forged[drawIndex(random, kHead)] = static_cast<char>(drawIndex(random, 256));
+    const std::string file = write(makeSeal(forged) + forged);
+    const std::string fault = faultOf(file);
+    ASSERT_TRUE(fault.empty() || fault.rfind("cannot load " + file + ": ", 0) == 0) << fault;
+    deaths += fault.find("reading it ended") != std::string::npos ? 1 : 0;
+  }
+  RecordProperty("deaths", deaths);
+  EXPECT_EQ(faultOf(path("map.h5")), "");
+}
+
 TEST_F(MapFileFaults, WhatIsNoMapFileIsRefused) {
   expectRefused(path("missing.h5"), "No such file or directory");
   expectRefused(folder_.string(), "it is no regular file");

@@ -1,9 +1,12 @@
 // No kill and no full disk, at any moment of saving, costs the map that was saved before.
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 
 #include "check_map.h"
@@ -93,6 +96,35 @@ TEST_F(MapFile, AFullDiskIsReportedAndTheOldMapStays) {
     EXPECT_EQ(contents(path("map.h5")), before);
     EXPECT_FALSE(std::filesystem::exists(path("map.h5.part")));
   }
+}
+
+// A disk of its own that is too small. Only root may make one.
+TEST_F(MapFile, ADiskThatIsFullIsReportedAndTheOldMapStays) {
+  const std::string disk = path("disk");
+  std::filesystem::create_directories(disk);
+  if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=192k") != 0) {
+    GTEST_SKIP() << "NOT TESTED on a full disk: no right to mount one (" << std::strerror(errno) << ")";
+  }
+  const MappingParameters parameters = parametersOf(Mode::kOccupancy);
+  const MapCopy small = copyOf(parameters, drawMap(parameters, 4000, 1));
+  const MapCopy large = copyOf(parameters, drawMap(parameters, 20000, 2));
+  const std::string file = disk + "/map.h5";
+  saveMap(small, file);
+  const std::string before = contents(file);
+  std::string message;
+  try {
+    saveMap(large, file);
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  const bool is_whole = contents(file) == before && faultOf(file).empty();
+  const bool has_part = std::filesystem::exists(file + ".part");
+  saveMap(small, file);  // there is room again
+  const bool is_saved = contents(file) == before;
+  EXPECT_EQ(umount(disk.c_str()), 0);
+  EXPECT_EQ(message, "cannot write " + file + ": No space left on device");
+  EXPECT_TRUE(is_whole && is_saved);
+  EXPECT_FALSE(has_part);
 }
 
 TEST_F(MapFile, AFileThatCannotBeWrittenIsNamedWithTheReason) {

@@ -2,9 +2,7 @@
 
 #include <H5Cpp.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -18,15 +16,14 @@ class AtomRows {
   // Throws std::runtime_error where a dataset is not as map_file.h tells, of `rows` rows; H5::Exception where there is none.
   AtomRows(const H5::H5File& image, Mode mode, hsize_t rows);
 
-  // Calls visit(row, centre, values) for each atom; of two values, the second is 0 in occupancy mode.
+  // Calls visit(values) for each column of each stretch of kChunk atoms: x, y and z of the centres, then the values.
   template <class Visit>
-  void forEach(Visit&& visit) {
+  void forEachColumn(Visit&& visit) {
     for (hsize_t begin = 0; begin < rows_; begin += map_file::kChunk) {
       const hsize_t count = std::min<hsize_t>(map_file::kChunk, rows_ - begin);
-      for (std::size_t c = 0; c < 2 + sets_.size(); ++c) readColumn(c, begin, count);
-      for (hsize_t i = 0; i < count; ++i) {
-        const std::array<float, 2> values{stretch_[3][i], sets_.size() > 2 ? stretch_[4][i] : 0.0F};
-        visit(begin + i, Eigen::Vector3f(stretch_[0][i], stretch_[1][i], stretch_[2][i]), values);
+      for (std::size_t c = 0; c < 2 + sets_.size(); ++c) {
+        readColumn(c, begin, count);
+        visit(column_);
       }
     }
   }
@@ -35,8 +32,8 @@ class AtomRows {
   void readColumn(std::size_t column, hsize_t begin, hsize_t count);
 
   hsize_t rows_;
-  std::vector<H5::DataSet> sets_;              // centres, then values
-  std::array<std::vector<float>, 5> stretch_;  // columns, as in MapCopy
+  std::vector<H5::DataSet> sets_;  // centres, then values
+  std::vector<float> column_;      // of one stretch
 };
 
 }  // namespace atom_map

@@ -10,7 +10,8 @@
 namespace atom_map::map_file {
 
 constexpr std::uint32_t kFormatVersion = 1;
-constexpr std::uint64_t kChunk = 1U << 16U;  // atoms, of which a chunk holds one coordinate or value
+constexpr std::uint64_t kChunk = 1U << 16U;   // atoms, of which a chunk holds one coordinate or value
+constexpr std::uint64_t kLongestText = 4096;  // bytes, of a parameter
 
 constexpr const char* kFormatVersionName = "format_version";
 constexpr const char* kScans = "scans";

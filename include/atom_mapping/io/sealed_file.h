@@ -1,8 +1,8 @@
 // A file whose first 512 bytes vouch for the rest: two lines of text that tell its size and CRC-32, then zeros. HDF5 skips
 // such a "user block", so that its own tools read the file as it is.
 //
-// Choice: HDF5 1.10 crashes or hangs on one damaged file in a hundred; it never sees one whose seal is broken. Against a file
-// that was forged, seal and all, that is no help.
+// Choice: HDF5 1.10 crashes or hangs on one damaged file in a hundred; it never sees one whose seal is broken. A file that
+// was forged, seal and all, is what loadMap reads HDF5 in another process for.
 #pragma once
 
 #include <cstddef>

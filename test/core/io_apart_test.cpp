@@ -1,0 +1,67 @@
+// Whatever becomes of the process that works, whoever asked it gets the bytes or the reason.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "atom_mapping/io/apart.h"
+
+namespace atom_map {
+namespace {
+
+std::string whyNot(const std::function<void(const Apart::Send&)>& work) {
+  Apart apart(work, 1);
+  char byte = 0;
+  try {
+    apart.receive(&byte, 1);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(WorkApart, ItsBytesArriveHoweverManyTheyAre) {
+  const std::vector<int> sent(1000000, 7);
+  Apart apart([&](const Apart::Send& send) { send(sent.data(), sent.size() * sizeof(int)); }, 10);
+  std::vector<int> received(sent.size());
+  apart.receive(received.data(), 4);
+  apart.receive(received.data() + 1, (sent.size() - 1) * sizeof(int));
+  EXPECT_EQ(received, sent);
+  EXPECT_THROW(apart.receive(received.data(), 1), std::runtime_error);
+}
+
+TEST(WorkApart, WhatItThrowsArrives) {
+  EXPECT_EQ(whyNot([](const auto&) { throw std::runtime_error("no such thing"); }), "no such thing");
+  EXPECT_EQ(whyNot([](const auto&) {}), "reading it ended too early");
+}
+
+TEST(WorkApart, ItsDeathIsToldAndHarmsNobody) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGKILL}) {
+    EXPECT_EQ(whyNot([=](const auto&) { std::raise(signal); }), "reading it ended by signal " + std::to_string(signal));
+  }
+}
+
+void workForEver(const Apart::Send& /*send*/) {
+  for (volatile int i = 0;; i = i + 1) {
+  }
+}
+
+TEST(WorkApart, ItEndsWithItsTime) {
+  EXPECT_EQ(whyNot(workForEver), "reading it ended by signal " + std::to_string(SIGXCPU));
+}
+
+TEST(WorkApart, ItEndsWithWhoeverStartedIt) {
+  const Apart apart(workForEver, 1000);
+}
+
+#ifndef __SANITIZE_ADDRESS__
+TEST(WorkApart, ItMayNotTakeAllMemory) {
+  EXPECT_EQ(whyNot([](const auto&) { std::vector<char>(Apart::kMemory + (1U << 30U)); }), "std::bad_alloc");
+}
+#endif
+
+}  // namespace
+}  // namespace atom_map
