@@ -40,7 +40,8 @@ class Interleaver {
   }
 
   // Calls visit(i) for those that stay of the candidates i = 0 to count - 1 of one ray, the first at `distance` from the
-  // sensor and the others a diameter each nearer to it, with the same chance as in keep().
+  // sensor and the others a diameter each nearer to it, with the same chance as in keep(). Without candidates,
+  // `distance` may be anything.
   // Choice: the draws of one ray, whose candidates do not overlap, depend on one another: one stays each time that their
   // chances have added up to one more (systematic sampling). So it takes one number a ray, and long gaps are rarer.
   template <class Visit>
@@ -49,7 +50,7 @@ class Interleaver {
     const float lambda = lambda_;
     const float* const touching_angles = touching_angles_.data();
     auto step = static_cast<std::int32_t>(distance * steps_per_metre_);
-    assert(static_cast<std::size_t>(step) < touching_angles_.size());
+    assert(count == 0 || static_cast<std::size_t>(step) < touching_angles_.size());
     // Without branches: which candidates stay is hard to foretell.
     kept_.resize(std::max<std::size_t>(kept_.size(), count + 1));
     std::uint32_t* end = kept_.data();
