@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Runs the node for some minutes under all that a robot asks of it at once, and judges it: `scripts/soak.sh [minutes]`.
+# Figures and memory over time land in .workspace/soak; the last line is the verdict, and the result 0 if it passed.
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+minutes=${1:-30}
+output=$workspace/soak
+mkdir -p "$output"
+if [[ ${BUILD:-yes} == yes ]]; then
+  "$repository/scripts/build.sh" all >"$output/build.log" 2>&1 || { tail -n 40 "$output/build.log"; exit 1; }
+fi
+sourceUnchecked "$workspace/devel/setup.bash"
+programs=$workspace/devel/lib/atom_mapping
+if [[ ! -f $output/hall.bag ]]; then
+  "$programs/simulate_bag" --scene hall --scans 600 --out "$output/hall.bag.part" >/dev/null
+  mv "$output/hall.bag.part" "$output/hall.bag"
+fi
+
+export ROS_HOME=$workspace/ros_home ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:$((20000 + RANDOM % 10000))
+pids=()
+stopAll() { for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done; wait; }
+trap stopAll EXIT
+roscore -p "${ROS_MASTER_URI##*:}" >"$output/roscore.log" 2>&1 &
+pids+=($!)
+until rosparam set /use_sim_time true 2>/dev/null; do sleep 0.2; done
+"$programs/atom_mapping_node" cloud_in:=/velodyne_points __name:=atom_mapping _storage/autosave:="$output/autosave.h5" \
+  _storage/autosave_period:=5.0 >"$output/node.log" 2>&1 &
+node=$!
+pids+=("$node")
+/usr/bin/python3 "$repository/scripts/soak/soak.py" --bag "$output/hall.bag" --minutes "$minutes" --node "$node" \
+  --output "$output"
