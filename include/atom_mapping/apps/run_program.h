@@ -4,6 +4,8 @@
 #include <exception>
 #include <iostream>
 
+#include "atom_mapping/base/keep_memory.h"
+
 namespace atom_mapping {
 
 // Parses the arguments, then calls run(). Returns the program's exit code: 2 where an argument is wrong or run() throws,
@@ -14,6 +16,7 @@ int runProgram(CLI::App& app, int argc, char** argv, Run&& run) {
     std::cerr << app.get_name() << ": " << fault.what() << std::endl;
     return 2;
   };
+  atom_map::keepFreedMemory();
   try {
     app.parse(argc, argv);
     run();

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <stdexcept>
 
+#include "atom_mapping/base/keep_memory.h"
 #include "atom_mapping/ros/parameter_values.h"
 
 namespace atom_mapping {
@@ -15,6 +16,7 @@ namespace atom_mapping {
 template <class Node, class Read>
 int runNode(Read&& read) {
   constexpr std::uint32_t kServiceThreads = 4;  // a long plan or extraction leaves some for short questions
+  atom_map::keepFreedMemory();
   const ros::NodeHandle keep;  // with the last one the log goes, and a Node that fails to start takes its own along
   try {
     XmlRpc::XmlRpcValue values;
