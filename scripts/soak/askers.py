@@ -85,9 +85,12 @@ class Collision(Asker):
         return srv.CheckCollisionRequest(centers=centers * 2, radii=[0.2] * 100 + [0.6] * 100, unknown_is_free=False)
 
     def check(self, request, response):
-        for small, large in zip(response.collides[:100], response.collides[100:]):
+        # The map may change between two spheres of a request: what contradicts itself is asked again.
+        for center, small, large in zip(request.centers, response.collides[:100], response.collides[100:]):
             if small and not large:
-                yield 'a sphere collides and a larger one about it does not'
+                again = self.service(centers=[center] * 2, radii=[0.2, 0.6], frame_id='', unknown_is_free=False)
+                if again.collides[0] and not again.collides[1]:
+                    yield 'a sphere collides and a larger one about it does not'
 
 
 class Rays(Asker):
