@@ -71,6 +71,10 @@ if(NOT ATOM_MAPPING_CORE_ONLY)
   endforeach()
 endif()
 
+if(ATOM_MAPPING_MESSAGES)
+  include(cmake/server_tests.cmake)
+endif()
+
 # benchmark/NAME_benchmark.cpp: a program of Google Benchmark cases. Built with the tests, run by scripts/benchmark.sh only.
 if(NOT ATOM_MAPPING_SANITIZE)
   find_package(benchmark REQUIRED)
