@@ -50,10 +50,11 @@ void Vicinity::forEachWithin(const Eigen::Vector3f& p, Visit&& visit) {
   std::size_t count = 0;
   for (const Leaf& leaf : leaves_) {
     near_[count] = leaf.block;
-    const bool x = (leaf.box.min().x() - p.x() < radius_) & (p.x() - leaf.box.max().x() < radius_);
-    const bool y = (leaf.box.min().y() - p.y() < radius_) & (p.y() - leaf.box.max().y() < radius_);
-    const bool z = (leaf.box.min().z() - p.z() < radius_) & (p.z() - leaf.box.max().z() < radius_);
-    count += static_cast<std::size_t>(x & y & z);
+    const auto meets = [&](int axis) {
+      return std::size_t{leaf.box.min()[axis] - p[axis] < radius_} &
+             std::size_t{p[axis] - leaf.box.max()[axis] < radius_};
+    };
+    count += meets(0) & meets(1) & meets(2);
   }
   for (std::size_t i = 0; i < count; ++i) {
     AtomBlock& block = *near_[i];
