@@ -114,7 +114,8 @@ TEST_P(Merge, OfThinThingsKeepsAtomsApartAndLogOddsWithinTheClamps) {
     Scan scan = drawScan(random_, half_);
     for (Candidate& candidate : scan.occupied) candidate.is_thin = random_.uniform() < 0.5F;
     const std::size_t before = map.atoms().size();
-    EXPECT_EQ(before + add(map, scan, parameters_).inserted, map.atoms().size());
+    const MergeReport report = add(map, scan, parameters_);
+    EXPECT_EQ(map.atoms().size(), before + report.inserted);
     expectNoOverlap(map);
     expectWithinClamps(map, parameters_.max_log_odds);
   }
