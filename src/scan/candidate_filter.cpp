@@ -25,20 +25,11 @@ std::vector<AnyCandidate> firstOfEachCell(const std::vector<AnyCandidate>& candi
 
 }  // namespace
 
-// Choice: of thin things one is kept a cell of half the size. They are few, and a cell may hold more than one side of them.
 Candidates filterCandidates(const Candidates& candidates, float cell_size) {
   CellSet taken(cell_size);
-  CellSet taken_by_thin(0.5F * cell_size);
-  Candidates thin;
-  Candidates wide;
-  for (const Candidate& candidate : candidates.occupied) {
-    (candidate.is_thin ? thin : wide).occupied.push_back(candidate);
-  }
   Candidates kept;
   kept.proposed = candidates.proposed;
-  kept.occupied = firstOfEachCell(thin.occupied, taken_by_thin);
-  const std::vector<Candidate> others = firstOfEachCell(wide.occupied, taken);
-  kept.occupied.insert(kept.occupied.end(), others.begin(), others.end());
+  kept.occupied = firstOfEachCell(candidates.occupied, taken);
   kept.free = firstOfEachCell(candidates.free, taken);
   return kept;
 }
