@@ -45,7 +45,7 @@ TEST(WorkApart, ItsDeathIsToldAndHarmsNobody) {
 }
 
 void workForEver(const Apart::Send& /*send*/) {
-  for (volatile int i = 0;; i = i + 1) {
+  for (volatile unsigned i = 0;; i = i + 1) {
   }
 }
 
