@@ -5,7 +5,7 @@
 
 #include "atom_mapping/base/check_parameters.h"
 #include "atom_mapping/base/timed.h"
-#include "atom_mapping/map/drop_crossing.h"
+#include "atom_mapping/scan/drop_crossing.h"
 #include "atom_mapping/scan/candidate_filter.h"
 #include "atom_mapping/scan/rays.h"
 #include "atom_mapping/scan/snap.h"
@@ -85,7 +85,7 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
       timed(report.seconds.rays, [&] { return traceNormals(surface, sensor, parameters_, random); });
   candidates = gridFiltered(std::move(candidates), report);
   timed(report.seconds.candidate_filter, [&] {
-    dropCrossing(surface, map_.radius(), static_cast<float>(parameters_.scan.range_noise), candidates);
+    dropCrossing(surface, static_cast<float>(parameters_.scan.range_noise), candidates);
     return 0;
   });
   snapToLattice(candidates.behind, map_.radius());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "atom_mapping/map/drop_crossing.h"
+#include "atom_mapping/scan/drop_crossing.h"
 #include "atom_mapping/map/mapper.h"
 #include "atom_mapping/query/gaussian_process.h"
 #include "atom_mapping/scan/normal_rays.h"
@@ -103,7 +103,7 @@ TEST(DropCrossing, DropsWhatAnotherSurfaceIsNearerTo) {
     candidates.infront.push_back({{0, 0, distance}, distance, Vector3f::UnitZ()});
   }
   candidates.behind = {{{0, 0, -0.25F}, -0.25F, Vector3f::UnitZ()}, {{0, 0, 1.4F}, -0.25F, Vector3f::UnitX()}};
-  dropCrossing(surface, 0.25F, 0.01F, candidates);
+  dropCrossing(surface, 0.01F, candidates);
   ASSERT_EQ(candidates.infront.size(), 2U);  // at 1.25 m the other surface is 0.25 m away
   EXPECT_FLOAT_EQ(candidates.infront[1].distance, 0.75F);
   ASSERT_EQ(candidates.behind.size(), 1U);

@@ -1,19 +1,15 @@
-#include "atom_mapping/map/drop_crossing.h"
+#include "atom_mapping/scan/drop_crossing.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "atom_mapping/map/atom_tree.h"
+#include "atom_mapping/scan/point_boxes.h"
 
 namespace atom_map {
 
-void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float noise, DistanceCandidates& candidates) {
+void dropCrossing(const std::vector<SurfacePoint>& surface, float noise, DistanceCandidates& candidates) {
   constexpr float kSlack = 0.1F;  // of the distance: curved surfaces come nearer than their tangent planes
-  AtomTree points(radius, 1);
-  for (const SurfacePoint& point : surface) {
-    const float unused = 0.0F;
-    points.insert(point.position, &unused);
-  }
+  const PointBoxes points(surface);
   const auto crosses = [&](const DistanceCandidate& candidate) {
     const float clearance = (1.0F - kSlack) * std::abs(candidate.distance) - 3.0F * noise;
     return clearance > 0.0F && points.isAnyWithin(candidate.center, clearance);

@@ -10,7 +10,7 @@ namespace atom_map {
 // Removes the candidates that may lie beyond a surface which another point of the same scan saw (paper III-C, step C):
 // those with a surface point nearer than the distance that they carry, less what the range's noise (m) explains.
 // Choice: those of step A as well, which would carry too great a distance near the edges of things.
-// `radius` in metres; everything in one frame.
-void dropCrossing(const std::vector<SurfacePoint>& surface, float radius, float noise, DistanceCandidates& candidates);
+// Everything in one frame.
+void dropCrossing(const std::vector<SurfacePoint>& surface, float noise, DistanceCandidates& candidates);
 
 }  // namespace atom_map
