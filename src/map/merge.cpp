@@ -24,9 +24,14 @@ void OccupancyMerge::add(const Candidate& candidate) {
   const Overlaps overlaps = updateOverlapped(candidate);
   if (overlaps.count == 0) {
     insert(candidate);
-  } else if (candidate.is_thin && overlaps.nearest > 0.5F * diameter_) {
+  } else if (mayStandAside(candidate, overlaps)) {
     addAside(candidate, overlaps.push);
   }
+}
+
+bool OccupancyMerge::mayStandAside(const Candidate& candidate, const Overlaps& overlaps) const {
+  const bool fills_hole = candidate.value < 0.0F && overlaps.count == 1;
+  return overlaps.nearest > (candidate.is_thin ? 0.5F : 0.7F) * diameter_ && (candidate.is_thin || fills_hole);
 }
 
 OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candidate) {
@@ -34,8 +39,7 @@ OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candi
   Overlaps overlaps;
   vicinity_.forEachWithin(candidate.center, [&](AtomRef atom, float squared_distance) {
     const float distance = std::sqrt(squared_distance);
-    if (candidate.is_thin) overlaps.add(candidate.center - atom.center(), distance, diameter_);
-    ++overlaps.count;
+    overlaps.add(candidate.center - atom.center(), distance, diameter_);
     if (occupied && distance < candidate.hold) held_.insert(atom.center());
     if (!occupied && held_.contains(atom.center())) return;
     const float log_odds = atom.value() + overlapFraction(distance / diameter_) * candidate.value;  // Eq. (3)
@@ -62,6 +66,7 @@ void OccupancyMerge::insert(const Candidate& candidate) {
 }
 
 void OccupancyMerge::Overlaps::add(const Eigen::Vector3f& from_atom, float distance, float diameter) {
+  ++count;
   nearest = std::min(nearest, distance);
   if (distance > 0.0F) push += (diameter / distance - 1.0F) * from_atom;
 }

@@ -26,7 +26,8 @@ struct ScanParameters {
 
 // rays/: candidates (paper III-C) and stochastic angular interleaving (paper III-D).
 struct RayParameters {
-  double lambda = 1.0;           // cost of a hole in Eq. (2)
+  // Choice: less than the paper's 1, which thins less: holes are found and filled when candidates are merged.
+  double lambda = 0.25;          // cost of a hole in Eq. (2)
   double max_incidence = 84.0;   // deg, bound of the angle between ray and normal in step B
   double normal_distance = 2.0;  // m, how far step C reaches along the normal
   double candidate_cell = 1.0;   // atomic diameters, side of the candidate filter's cells; 0 keeps all
