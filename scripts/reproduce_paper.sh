@@ -27,10 +27,10 @@ done
 # Scans: of the drives of Table I, of those at small radii, of those with exact truth, in the closed scenes, of slopes.
 drive=600 fine=100 few=40 closed=40 climb=40
 table_radii='0.5 1.0' fine_radii='0.25 0.1' tradeoff_radii='1.0 0.7 0.5 0.35 0.25 0.15 0.1' coverage_radii='1.0 0.5 0.25 0.1'
-slopes='0 2.5 5 7.5 10 12.5 15 20' noises='0 0.01'
+slopes='0 2.5 5 7.5 10 12.5 15 20' noises='0 0.01' grown=10000000
 if $quick; then
   drive=30 fine=8 few=10 climb=20
-  fine_radii=0.25 tradeoff_radii='1.0 0.5' coverage_radii=1.0 slopes='0 10 20' noises=0
+  fine_radii=0.25 tradeoff_radii='1.0 0.5' coverage_radii=1.0 slopes='0 10 20' noises=0 grown=300000
 fi
 
 recordings=${ATOM_MAPPING_DATA:-$repository/../shared/data}
@@ -39,7 +39,7 @@ programs=$workspace/devel/lib/atom_mapping
 mkdir -p "$data"
 rm -f "$data"/*.json "$data"/*.txt  # of another run
 echo "Building, the log is in $output/build.log"
-"$repository/scripts/build.sh" simulate_bag compare_maps evaluate_map >"$output/build.log" 2>&1 ||
+"$repository/scripts/build.sh" simulate_bag compare_maps evaluate_map grow_map >"$output/build.log" 2>&1 ||
   { tail -n 40 "$output/build.log"; exit 1; }
 
 # run NAME PROGRAM ARGUMENTS...: leaves the figures in NAME.json and what was printed in NAME.txt.
@@ -92,6 +92,7 @@ for name in handheld street vlp16_room vlp16_dual_return; do
 done
 # shellcheck disable=SC2086
 run tradeoff evaluate_map --scene hall --radius $tradeoff_radii --scans $few --stride 7 --pruned
+for mode in occupancy signed_distance; do run growth_atom_$mode grow_map --mode $mode --atoms $grown; done
 
 {
   for noise in $noises; do

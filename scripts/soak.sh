@@ -1,9 +1,18 @@
 #!/usr/bin/env bash
-# Runs the node for some minutes under all that a robot asks of it at once, and judges it: `scripts/soak.sh [minutes]`.
+# Runs the node for some minutes under all that a robot asks of it at once, and judges it:
+# `scripts/soak.sh [MINUTES] [--light] [--map FILE]`; --light: instead of all one client of 100 queries a second, who listens
+# to ~atoms, and rviz where there is Xvfb; --map: a map to start from.
 # Figures and memory over time land in .workspace/soak; the last line is the verdict, and the result 0 if it passed.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-minutes=${1:-30}
+minutes=30 light=() node_arguments=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --light) light=(--light) && shift ;;
+    --map) node_arguments=("_storage/load:=$(realpath "${2:?}")") && shift 2 ;;
+    *) minutes=$1 && shift ;;
+  esac
+done
 output=$workspace/soak
 mkdir -p "$output"
 if [[ ${BUILD:-yes} == yes ]]; then
@@ -23,9 +32,16 @@ trap stopAll EXIT
 roscore -p "${ROS_MASTER_URI##*:}" >"$output/roscore.log" 2>&1 &
 pids+=($!)
 until rosparam set /use_sim_time true 2>/dev/null; do sleep 0.2; done
-"$programs/atom_mapping_node" cloud_in:=/velodyne_points __name:=atom_mapping _storage/autosave:="$output/autosave.h5" \
-  _storage/autosave_period:=5.0 >"$output/node.log" 2>&1 &
+if [[ ${#light[@]} -eq 0 ]]; then node_arguments+=("_storage/autosave:=$output/autosave.h5" _storage/autosave_period:=5.0); fi
+"$programs/atom_mapping_node" cloud_in:=/velodyne_points __name:=atom_mapping "${node_arguments[@]}" >"$output/node.log" 2>&1 &
 node=$!
 pids+=("$node")
-/usr/bin/python3 "$repository/scripts/soak/soak.py" --bag "$output/hall.bag" --minutes "$minutes" --node "$node" \
+if [[ ${#light[@]} -gt 0 ]] && command -v Xvfb >/dev/null; then
+  Xvfb -screen 0 1280x800x24 -displayfd 3 3>"$output/display" >/dev/null 2>&1 &
+  pids+=($!)
+  until [[ -s $output/display ]]; do sleep 0.1; done
+  DISPLAY=:$(<"$output/display") LIBGL_ALWAYS_SOFTWARE=1 rviz -d "$repository/rviz/atom_mapping.rviz" >"$output/rviz.log" 2>&1 &
+  pids+=($!)
+fi
+/usr/bin/python3 "$repository/scripts/soak/soak.py" "${light[@]}" --bag "$output/hall.bag" --minutes "$minutes" --node "$node" \
   --output "$output"

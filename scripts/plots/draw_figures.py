@@ -143,9 +143,26 @@ def drawTradeoff(data, output):
     save(figure, output, 'tradeoff')
 
 
+def drawGrowth(data, output):
+    """What a scan costs as the map grows, which the paper does not show."""
+    figure, axes = plt.subplots(figsize=(9.0, 3.6), constrained_layout=True)
+    for name in ('atom_occupancy', 'atom_signed_distance'):
+        for contest in read(data, f'growth_{name}'):
+            steps = contest['steps']
+            atoms = [step['atoms'] for step in steps]
+            axes.plot(atoms, [step['cpu_ms_per_scan'] for step in steps], color=COLORS[name], label=f'{NAMES[name]}: mean')
+            axes.plot(atoms, [step['cpu_ms_slowest'] for step in steps], ':', color=COLORS[name],
+                      label=f'{NAMES[name]}: slowest of {contest["scans"]}')
+    axes.set(xscale='log', xlabel='atoms in the map', ylabel='CPU time a scan (ms)')
+    axes.set_ylim(bottom=0.0)
+    axes.grid(alpha=0.3, which='both')
+    axes.legend()
+    save(figure, output, 'growth')
+
+
 def main():
     data, output = (pathlib.Path(argument) for argument in sys.argv[1:])
-    for draw in (drawSlice, drawQuality, drawGround, drawTradeoff):
+    for draw in (drawSlice, drawQuality, drawGround, drawTradeoff, drawGrowth):
         draw(data, output)
 
 

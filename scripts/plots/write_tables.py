@@ -104,12 +104,26 @@ def ground(data):
     return table(['slope', *(f"{contest['slope']:g}°" for contest in contests)], rows)
 
 
+def growth(data):
+    """The copies of the scene at whose ends the map first held so many atoms."""
+    rows = []
+    for name in IN_PAPER[1:]:
+        for contest in read(data, f'growth_{name}'):
+            for least in (1e5, 1e6, 1e7):
+                step = next((step for step in contest['steps'] if step['atoms'] >= least), None)
+                if step:
+                    rows.append([NAMES[name], f"{step['atoms']:,}", f"{step['bytes'] / step['atoms']:.1f}",
+                                 *(f'{step[key]:.2f}' for key in ('cpu_ms_per_scan', 'cpu_ms_p95', 'cpu_ms_slowest'))])
+    return table(['map', 'atoms', 'bytes an atom', 'CPU ms a scan', '95 %', 'slowest'], rows)
+
+
 def described(data):
     """What was run, and where."""
     return '\n'.join(f'- {line}' for line in (data / 'run.txt').read_text().splitlines())
 
 
-TABLES = {'run': described, 'paper': tableOne, 'drives': drives, 'quality': quality, 'coverage': coverage, 'ground': ground}
+TABLES = {'run': described, 'paper': tableOne, 'drives': drives, 'quality': quality, 'coverage': coverage, 'ground': ground,
+          'growth': growth}
 
 
 def fill(document, data):

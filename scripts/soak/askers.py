@@ -274,5 +274,26 @@ class Askers:
             thread.join(60.0)
 
 
+class LightAskers:
+    """One client of 100 queries a second, who listens to the map as well."""
+
+    def __init__(self, output):
+        self.all = [Occupancy(output, 0)]
+        self.all[0].period = 0.01
+        self.listener = rospy.Subscriber(NODE + 'atoms', rospy.AnyMsg, lambda message: None, buff_size=1 << 26)
+        self.all[0].start()
+
+    def betweenRounds(self, number):
+        pass
+
+    def stop(self):
+        self.all[0].stopping.set()
+        self.all[0].join(60.0)
+
+
 def start(output):
     return Askers(output)
+
+
+def startLight(output):
+    return LightAskers(output)

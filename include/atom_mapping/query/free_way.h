@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <cstdint>
 
 #include "atom_mapping/map/atom_map.h"
 
@@ -18,24 +18,20 @@ class FreeWay {
   double end(double from, double range);
 
  private:
-  // What one atom says of the ray, from where to where (m).
-  struct Claim {
-    double enter;
-    double leave;
-    bool is_free;  // if not, what it says is that nothing is certain
-  };
+  // The ray is looked at in parts of so many cells, a bit each, whose claims need no sorting.
+  static constexpr int kCells = 64;
 
-  void look(double from, double to);
+  void look(double from, double range);
   void claim(ConstAtomRef atom);
-  double endOfClaims(double from);
 
   const AtomMap& map_;
   Eigen::Vector3f origin_;
   Eigen::Vector3f direction_;
-  double looked_ = 0.0;        // how far claims_ reach
-  double free_ = 0.0;          // how far the claims before next_ say that it is free
-  std::size_t next_ = 0;       // of claims_
-  std::vector<Claim> claims_;  // by where they enter
+  double cell_;               // m
+  double begin_ = 0.0;        // m, of the part
+  double end_ = 0.0;          // m, of the part
+  std::uint64_t free_ = 0;    // cells that lie within what one atom says is free
+  std::uint64_t unsure_ = 0;  // cells that another kind of atom reaches into
 };
 
 }  // namespace atom_map
