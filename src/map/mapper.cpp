@@ -15,6 +15,8 @@ namespace {
 
 // Merged under one lock: some 0.1 ms, which is what a reader waits for.
 constexpr std::ptrdiff_t kMergeSlice = 512;
+// Atoms forgotten under one lock: some 0.5 ms.
+constexpr std::size_t kForgetSlice = 4096;
 
 std::vector<SurfacePoint> transformed(std::vector<SurfacePoint> surface, const Eigen::Isometry3f& pose) {
   for (SurfacePoint& point : surface) {
@@ -32,7 +34,9 @@ std::vector<Eigen::Vector3f> rotated(std::vector<Eigen::Vector3f> directions, co
 }  // namespace
 
 Mapper::Mapper(const MappingParameters& parameters)
-    : parameters_((throwIfFaulty(parameters), parameters)), map_(parameters.mode, parameters.radius) {}
+    : parameters_((throwIfFaulty(parameters), parameters)),
+      limit_(limitOf(parameters.limits)),
+      map_(parameters.mode, parameters.radius) {}
 
 // Algorithm 1, lines 5 to 11.
 ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
@@ -53,6 +57,7 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   parameters_.mode == Mode::kOccupancy  // lines 7 to 11
       ? mergeOccupancy(surface, rotated(scan.no_returns, pose.linear()), pose.translation(), random, report)
       : mergeDistances(surface, pose.translation(), random, report);
+  report.forgotten = timed(report.seconds.forget, [&] { return forget(sensor.translation()); });
 
   report.filter = filtered.report;
   report.surface_points = static_cast<std::uint32_t>(surface.size());
@@ -73,7 +78,7 @@ void Mapper::mergeOccupancy(const std::vector<SurfacePoint>& surface, const std:
   candidates = gridFiltered(std::move(candidates), report);
   snapToLattice(candidates.occupied, map_.radius());
   snapToLattice(candidates.free, map_.radius());
-  OccupancyMerge merging(map_, parameters_.occupancy);
+  OccupancyMerge merging(map_, parameters_.occupancy, refusedBeyond());
   merge(candidates.occupied, merging, report);
   merge(candidates.free, merging, report);
 }
@@ -90,7 +95,7 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
   });
   snapToLattice(candidates.behind, map_.radius());
   snapToLattice(candidates.infront, map_.radius());
-  DistanceMerge merging(map_, parameters_.signed_distance);
+  DistanceMerge merging(map_, parameters_.signed_distance, refusedBeyond());
   merge(candidates.behind, merging, report);
   merge(candidates.infront, merging, report);
 }
@@ -119,6 +124,38 @@ void Mapper::merge(const std::vector<AnyCandidate>& candidates, Merging& merging
     }
     return merging.report();
   });
+}
+
+// Choice: a map that forgets may pass its limit during a scan, by what the scan adds, and not after it.
+MapLimit Mapper::refusedBeyond() const {
+  return parameters_.limits.policy == LimitPolicy::kRefuse ? limit_ : MapLimit();
+}
+
+// The window first: it may leave nothing for the limit to do.
+std::size_t Mapper::forget(const Eigen::Vector3d& sensor) {
+  const LimitParameters& limits = parameters_.limits;
+  std::size_t forgotten = 0;
+  if (limits.window > 0.0) {
+    forgotten += forgetBeyond(read([&](const AtomMap& map) { return windowAround(map, limits.window, sensor); }));
+  }
+  const auto nearest = [&](const AtomMap& map) { return ballOfNearest(map, limit_, sensor); };
+  while (limits.policy == LimitPolicy::kForgetFarthest) {
+    const std::optional<KeptBall> kept = read(nearest);
+    if (!kept) break;
+    forgotten += forgetBeyond(*kept);
+  }
+  return forgotten;
+}
+
+// Slice by slice, as the merge.
+std::size_t Mapper::forgetBeyond(const KeptBall& kept) {
+  std::size_t forgotten = 0;
+  std::size_t slice = 0;
+  do {
+    slice = write([&](AtomMap& map) { return map.atoms().removeBeyond(kept.center, kept.radius, kForgetSlice); });
+    forgotten += slice;
+  } while (slice >= kForgetSlice);
+  return forgotten;
 }
 
 void Mapper::replace(AtomMap map, std::uint64_t scans) {
