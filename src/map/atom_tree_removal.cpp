@@ -118,11 +118,17 @@ AtomTree::Child AtomTree::joined(Child child, const std::array<Child, 2>& childr
 
 void AtomTree::compactIfMostlyEmpty() {
   const std::size_t used = leaves_.size() - free_leaves_.size();
-  if (size_ == 0 || leaves_.capacity() <= 2 * used + kSpareNodes) return;
+  if (leaves_.capacity() > 2 * used + kSpareNodes) compact(used / 4);
+}
+
+// Moves the nodes to arrays that have room for so many more.
+void AtomTree::compact(std::size_t spare_nodes) {
+  if (size_ == 0) return;
+  const std::size_t used = leaves_.size() - free_leaves_.size();
   std::vector<Inner> inners;
   std::vector<AtomBlock> leaves;
-  inners.reserve(used + used / 4);
-  leaves.reserve(used + used / 4);
+  inners.reserve(used - 1 + spare_nodes);
+  leaves.reserve(used + spare_nodes);
   root_ = moveBelow(root_, inners, leaves);
   inners_ = std::move(inners);
   leaves_ = std::move(leaves);

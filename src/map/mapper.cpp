@@ -15,7 +15,7 @@ namespace {
 
 // Merged under one lock: some 0.1 ms, which is what a reader waits for.
 constexpr std::ptrdiff_t kMergeSlice = 512;
-// Atoms forgotten under one lock: some 0.5 ms.
+// Atoms forgotten under one lock: 0.05 ms, and 2 ms where the nodes of a million atoms move to smaller arrays.
 constexpr std::size_t kForgetSlice = 4096;
 
 std::vector<SurfacePoint> transformed(std::vector<SurfacePoint> surface, const Eigen::Isometry3f& pose) {

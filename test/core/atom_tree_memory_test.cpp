@@ -1,10 +1,13 @@
 // What a map of a million atoms costs, by the tree's own count and by the allocator's.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 
 #include "atom_list.h"
+#include "atom_mapping/base/keep_memory.h"
 #include "atom_mapping/evaluation/heap_in_use.h"
 #include "atom_orders.h"
 
@@ -19,6 +22,15 @@ constexpr double kSlack = 200e3;  // bytes that the allocator keeps of freed blo
 void insertAll(AtomTree& tree, const Centers& centers) {
   const float values[] = {1.0F, 2.0F};
   for (const Vector3f& center : centers) tree.insert(center, values);
+}
+
+// Of the program, as the kernel counts them.
+std::size_t residentBytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t all_pages = 0;
+  std::size_t resident_pages = 0;
+  file >> all_pages >> resident_pages;
+  return resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
 struct MemoryCase {
@@ -96,6 +108,25 @@ TEST(AtomTreeMemoryRemoval, ForgettingNineTenthsGivesNineTenthsBack) {
   const auto given_back = static_cast<double>(heap - heapInUse());
   EXPECT_NEAR(given_back, full - static_cast<double>(tree.bytes()), 0.03 * full);
 }
+
+// Not with the address sanitizer, whose allocator keeps it.
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(AtomTreeMemoryRemoval, WhatIsForgottenGoesBackToTheKernel) {
+  keepFreedMemory();  // as the node does, which then asks for it
+  FallWatch fall;
+  AtomTree tree(kCell, 2);
+  insertAll(tree, looseGrid({100, 100, 100}, 8));
+  const std::size_t full = tree.bytes();
+  EXPECT_FALSE(fall.hasFallenTo(full));
+  const std::size_t resident = residentBytes();
+  tree.removeBeyond(Vector3f::Constant(70.0F), 30.0F);
+  ASSERT_TRUE(fall.hasFallenTo(tree.bytes()));
+  EXPECT_FALSE(fall.hasFallenTo(tree.bytes())) << "once is enough";
+  returnFreedMemory();
+  const auto given_back = static_cast<double>(resident) - static_cast<double>(residentBytes());
+  EXPECT_GT(given_back, 0.8 * static_cast<double>(full - tree.bytes()));
+}
+#endif
 
 // What a map costs at any moment of a drive that sees as much as it forgets.
 TEST(AtomTreeMemoryRemoval, ALongStraightDriveInAWindowDoesNotGrow) {
