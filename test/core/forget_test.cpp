@@ -33,9 +33,10 @@ std::vector<double> distancesFrom(const AtomMap& map, const Vector3d& place) {
 
 class Forgetting : public testing::TestWithParam<Distribution> {
  protected:
+  // Which the map's single precision holds exactly.
   Vector3d drawPlace(const AtomMap& map) {
     const Vector3f& atom = GetParam().centers[drawIndex(random_, GetParam().centers.size())];
-    return map.toMap(atom) + 3.0 * drawWithin(random_, 1.0F).cast<double>();
+    return map.toMap(atom + drawWithin(random_, 3.0F));
   }
 
   Random random_{21};
