@@ -8,6 +8,7 @@
 #include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/base/describe_parameters.h"
 #include "atom_mapping/io/map_file.h"
+#include "atom_mapping/io/map_file_format.h"
 
 namespace {
 
@@ -31,6 +32,9 @@ struct ParameterPrinter {
   void operator()(const char* name, bool value) const { operator()(name, std::string(value ? "true" : "false")); }
   void operator()(const char* name, Mode value) const {
     operator()(name, std::string(value == Mode::kOccupancy ? "occupancy" : "signed_distance"));
+  }
+  void operator()(const char* name, atom_map::LimitPolicy value) const {
+    operator()(name, std::string(atom_map::map_file::nameOf(value)));
   }
 };
 

@@ -36,6 +36,13 @@ std::vector<std::string> findFaults(const MappingParameters& parameters) {
           << parameters.scan.max_range;
     faults.push_back(fault.str());
   }
+  const double window = parameters.limits.window;
+  if (window > 0.0 && window < parameters.scan.max_range) {
+    std::ostringstream fault;
+    fault << "limits/window is " << window << "; it must be 0 or at least scan/max_range, which is "
+          << parameters.scan.max_range << ": lower that for a smaller window";
+    faults.push_back(fault.str());
+  }
   return faults;
 }
 

@@ -47,6 +47,9 @@ struct ParameterReceiver {
   void operator()(const char* /*name*/, Mode& value) const {
     value = receiveNumber<std::uint8_t>(receive) == 0 ? Mode::kOccupancy : Mode::kSignedDistance;
   }
+  void operator()(const char* /*name*/, LimitPolicy& value) const {
+    value = receiveNumber<std::uint8_t>(receive) == 0 ? LimitPolicy::kRefuse : LimitPolicy::kForgetFarthest;
+  }
 };
 
 Eigen::Vector3d receiveOrigin(const Receive& receive) {

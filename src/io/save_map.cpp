@@ -44,6 +44,7 @@ struct ParameterWriter {
   }
   void operator()(const char* name, const std::string& value) const { writeText(group, name, value); }
   void operator()(const char* name, Mode value) const { writeText(group, name, nameOf(value)); }
+  void operator()(const char* name, LimitPolicy value) const { writeText(group, name, nameOf(value)); }
 };
 
 void writeHead(const MapCopy& map, const H5::H5File& image) {

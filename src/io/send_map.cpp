@@ -46,6 +46,12 @@ struct ParameterReader {
     value = text == nameOf(Mode::kOccupancy) ? Mode::kOccupancy : Mode::kSignedDistance;
     if (text != nameOf(value)) fail(name, " is '", text, "'; this program knows occupancy and signed_distance");
   }
+  void operator()(const char* name, LimitPolicy& value) const {
+    if (!group.attrExists(name)) return;
+    const std::string text = readText(group, name);
+    value = text == nameOf(LimitPolicy::kRefuse) ? LimitPolicy::kRefuse : LimitPolicy::kForgetFarthest;
+    if (text != nameOf(value)) fail(name, " is '", text, "'; this program knows refuse and forget_farthest");
+  }
 };
 
 // For forEachParameter.
@@ -63,6 +69,7 @@ struct ParameterSender {
   }
   void operator()(const char* /*name*/, bool value) const { sendByte(value ? 1 : 0); }
   void operator()(const char* /*name*/, Mode value) const { sendByte(value == Mode::kOccupancy ? 0 : 1); }
+  void operator()(const char* /*name*/, LimitPolicy value) const { sendByte(value == LimitPolicy::kRefuse ? 0 : 1); }
   void sendByte(std::uint8_t byte) const { send(&byte, 1); }
 };
 

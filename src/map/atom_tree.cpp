@@ -14,6 +14,7 @@ AtomTree::AtomTree(float cell, int value_count)
 
 bool AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
   ++size_;
+  extent_.extend(center);
   if (size_ == 1) root_ = newLeaf();
   Place place{kRoot, 0};
   while (!isLeaf(at(place))) place = {at(place), inner(at(place)).side(center)};
@@ -25,12 +26,12 @@ bool AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
     place = {kRoot, 0};
     while (inner(at(place)).level > level) place = {at(place), inner(at(place)).side(center)};
     const Child lone = newLeaf();
-    leaf(lone).push(center, values);
+    changeLeaf(lone, [&](AtomBlock& block) { block.push(center, values); });
     const Child parent = newInner(level, center, lone, at(place));
     at(place) = parent;
     return true;
   }
-  leaf(at(place)).push(center, values);
+  changeLeaf(at(place), [&](AtomBlock& block) { block.push(center, values); });
   return splitIfOverfull(place) || size_ == 1;
 }
 
@@ -46,10 +47,11 @@ bool AtomTree::splitIfOverfull(Place place) {
   }
   if (level < 0) return false;
   const Child other = newLeaf();
-  const AtomBlock atoms = std::exchange(leaf(one), AtomBlock(value_count_));
+  const AtomBlock atoms = taken(one);
   const Child parent = newInner(level, atoms.center(0), one, other);
   for (std::uint32_t i = 0; i < atoms.size(); ++i) {
-    leaf(inner(parent).children[inner(parent).side(atoms.center(i))]).push(atoms, i);
+    const Child side = inner(parent).children[inner(parent).side(atoms.center(i))];
+    changeLeaf(side, [&](AtomBlock& block) { block.push(atoms, i); });
   }
   at(place) = parent;
   splitIfOverfull({parent, 0});
@@ -85,47 +87,14 @@ AtomTree::Child AtomTree::newInner(int level, const Eigen::Vector3f& side_of, Ch
 }
 
 void AtomTree::release(Child child) {
-  if (isLeaf(child)) leaf(child) = AtomBlock(value_count_);
+  if (isLeaf(child)) taken(child);
   (isLeaf(child) ? free_leaves_ : free_inners_).push_back(child);
 }
 
-std::size_t AtomTree::removeInBox(const Eigen::AlignedBox3f& box) {
-  if (size_ == 0 || box.isEmpty()) return 0;
-  const std::size_t before = size_;
-  root_ = removeBelow(root_, box);
-  if (size_ == 0) clear();
-  return before - size_;
-}
-
-// Returns what takes the child's place: itself, its only child that is left, or two small leaves joined. A leaf that
-// comes back empty is the caller's to release.
-AtomTree::Child AtomTree::removeBelow(Child child, const Eigen::AlignedBox3f& box) {
-  if (isLeaf(child)) {
-    AtomBlock& block = leaf(child);
-    const std::uint32_t before = block.size();
-    for (std::uint32_t i = before; i-- > 0;) {
-      if (box.contains(block.center(i))) block.remove(i);
-    }
-    size_ -= before - block.size();
-    return child;
-  }
-  const Inner node = inner(child);
-  std::array<Child, 2> left = node.children;
-  if (box.min()[node.axis] < node.plane) left[0] = removeBelow(left[0], box);
-  if (box.max()[node.axis] >= node.plane) left[1] = removeBelow(left[1], box);
-  inner(child).children = left;
-  const bool leaves = isLeaf(left[0]) && isLeaf(left[1]);
-  if (leaves && leaf(left[0]).size() + leaf(left[1]).size() <= kLeafCapacity / 2) {
-    const AtomBlock atoms = std::exchange(leaf(left[1]), AtomBlock(value_count_));
-    for (std::uint32_t i = 0; i < atoms.size(); ++i) leaf(left[0]).push(atoms, i);
-  }
-  for (std::size_t side = 0; side < 2; ++side) {
-    if (!isLeaf(left[side]) || leaf(left[side]).size() > 0) continue;
-    release(left[side]);
-    release(child);
-    return left[1 - side];
-  }
-  return child;
+// The leaf's atoms, which it holds no more.
+AtomBlock AtomTree::taken(Child child) {
+  block_bytes_ -= leaf(child).bytes();
+  return std::exchange(leaf(child), AtomBlock(value_count_));
 }
 
 void AtomTree::clear() {
@@ -133,10 +102,18 @@ void AtomTree::clear() {
 }
 
 std::size_t AtomTree::bytes() const {
-  std::size_t bytes = inners_.capacity() * sizeof(Inner) + leaves_.capacity() * sizeof(AtomBlock) +
-                      (free_inners_.capacity() + free_leaves_.capacity()) * sizeof(Child);
-  for (const AtomBlock& block : leaves_) bytes += block.bytes();
-  return bytes;
+  return inners_.capacity() * sizeof(Inner) + leaves_.capacity() * sizeof(AtomBlock) +
+         (free_inners_.capacity() + free_leaves_.capacity()) * sizeof(Child) + block_bytes_;
+}
+
+// An insertion takes a lane in a block, or it splits a leaf, which adds a node of each kind. An array that is full doubles.
+std::size_t AtomTree::bytesAfterInsert() const {
+  const auto growth = [](const auto& array, const std::vector<Child>& free) {
+    return free.empty() && array.size() == array.capacity() ? std::max<std::size_t>(array.size(), 1) * sizeof(array[0])
+                                                            : 0;
+  };
+  const std::size_t split = 2 * AtomBlock::kLane * (3U + static_cast<unsigned>(value_count_)) * sizeof(float) + 16;
+  return bytes() + split + growth(inners_, free_inners_) + growth(leaves_, free_leaves_);
 }
 
 std::size_t AtomTree::depth() const {

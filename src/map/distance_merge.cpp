@@ -8,8 +8,10 @@
 
 namespace atom_map {
 
-DistanceMerge::DistanceMerge(AtomMap& map, const SignedDistanceParameters& parameters)
-    : diameter_(2.0F * map.radius()),
+DistanceMerge::DistanceMerge(AtomMap& map, const SignedDistanceParameters& parameters, const MapLimit& limit)
+    : atoms_(map.atoms()),
+      limit_(limit),
+      diameter_(2.0F * map.radius()),
       vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, kBlock * diameter_),
       xi_(static_cast<float>(parameters.xi)) {
   assert(map.mode() == Mode::kSignedDistance);
@@ -35,6 +37,10 @@ void DistanceMerge::add(const DistanceCandidate& candidate) {
     ++report_.updates;
   });
   if (overlaps) return;
+  if (!limit_.hasRoom(atoms_)) {
+    ++report_.refused;
+    return;
+  }
   const std::array<float, 2> values{candidate.distance, variance(1.0F)};
   vicinity_.insert(candidate.center, values.data());
   ++report_.inserted;

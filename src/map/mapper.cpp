@@ -32,7 +32,9 @@ std::vector<Eigen::Vector3f> rotated(std::vector<Eigen::Vector3f> directions, co
 }  // namespace
 
 Mapper::Mapper(const MappingParameters& parameters)
-    : parameters_((throwIfFaulty(parameters), parameters)), map_(parameters.mode, parameters.radius) {}
+    : parameters_((throwIfFaulty(parameters), parameters)),
+      limit_(limitOf(parameters.limits)),
+      map_(parameters.mode, parameters.radius) {}
 
 // Algorithm 1, lines 5 to 11.
 ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
@@ -53,6 +55,7 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   parameters_.mode == Mode::kOccupancy  // lines 7 to 11
       ? mergeOccupancy(surface, rotated(scan.no_returns, pose.linear()), pose.translation(), random, report)
       : mergeDistances(surface, pose.translation(), random, report);
+  report.forgotten = timed(report.seconds.forget, [&] { return forget(sensor.translation()); });
 
   report.filter = filtered.report;
   report.surface_points = static_cast<std::uint32_t>(surface.size());
@@ -73,7 +76,7 @@ void Mapper::mergeOccupancy(const std::vector<SurfacePoint>& surface, const std:
   candidates = gridFiltered(std::move(candidates), report);
   snapToLattice(candidates.occupied, map_.radius());
   snapToLattice(candidates.free, map_.radius());
-  OccupancyMerge merging(map_, parameters_.occupancy);
+  OccupancyMerge merging(map_, parameters_.occupancy, refusedBeyond());
   merge(candidates.occupied, merging, report);
   merge(candidates.free, merging, report);
 }
@@ -90,7 +93,7 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
   });
   snapToLattice(candidates.behind, map_.radius());
   snapToLattice(candidates.infront, map_.radius());
-  DistanceMerge merging(map_, parameters_.signed_distance);
+  DistanceMerge merging(map_, parameters_.signed_distance, refusedBeyond());
   merge(candidates.behind, merging, report);
   merge(candidates.infront, merging, report);
 }

@@ -8,8 +8,10 @@
 
 namespace atom_map {
 
-OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters)
-    : diameter_(2.0F * map.radius()),
+OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters, const MapLimit& limit)
+    : atoms_(map.atoms()),
+      limit_(limit),
+      diameter_(2.0F * map.radius()),
       vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, kBlock * diameter_),
       max_log_odds_(static_cast<float>(parameters.max_log_odds)) {
   assert(map.mode() == Mode::kOccupancy);
@@ -59,6 +61,10 @@ void OccupancyMerge::addAside(const Candidate& candidate, const Eigen::Vector3f&
 }
 
 void OccupancyMerge::insert(const Candidate& candidate) {
+  if (!limit_.hasRoom(atoms_)) {
+    ++report_.refused;
+    return;
+  }
   const float log_odds = std::clamp(candidate.value, -max_log_odds_, max_log_odds_);
   vicinity_.insert(candidate.center, &log_odds);
   if (candidate.value > 0.0F) held_.insert(candidate.center);

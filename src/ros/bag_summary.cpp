@@ -71,7 +71,12 @@ void BagSummary::printPoints(std::ostream& out) const {
 
 void BagSummary::printMap(std::ostream& out) const {
   const ScanReport& last = reports_.back();
-  label(out, "atoms") << last.atoms << "\n";
+  label(out, "atoms") << last.atoms;
+  for (const auto& [name, count] : {std::pair<const char*, Count>{"refused", &ScanReport::atoms_refused},
+                                    {"forgotten", &ScanReport::atoms_forgotten}}) {
+    if (const std::uint64_t atoms = sum(reports_, count); atoms > 0) out << ", " << name << " " << atoms;
+  }
+  out << "\n";
   label(out, "bytes") << last.map_bytes;
   if (last.atoms > 0) {
     out << ", " << static_cast<double>(last.map_bytes) / static_cast<double>(last.atoms) << " an atom";
@@ -86,6 +91,7 @@ void BagSummary::printTimes(std::ostream& out) const {
                                     {"  rays", &ScanReport::seconds_rays},
                                     {"  candidate filter", &ScanReport::seconds_candidate_filter},
                                     {"  merge", &ScanReport::seconds_merge},
+                                    {"  forget", &ScanReport::seconds_forget},
                                     {"  total", &ScanReport::seconds_total}}) {
     std::vector<double> times;
     for (const ScanReport& report : reports_) times.push_back(1e3 * static_cast<double>(report.*stage));

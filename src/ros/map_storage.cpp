@@ -7,6 +7,7 @@
 
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
+#include "atom_mapping/map/forget.h"
 #include "atom_mapping/ros/frame_name.h"
 
 namespace atom_mapping {
@@ -37,6 +38,15 @@ void checkFits(const std::string& file, const atom_map::MappingParameters& their
   expectSame(file, "mode", toString(theirs.mode), toString(ours.mode));
   expectSame(file, "radius", theirs.radius, ours.radius);
   expectSame(file, "map_frame", withoutSlash(theirs.map_frame), withoutSlash(ours.map_frame));
+}
+
+std::string tooLarge(const std::string& file, const atom_map::AtomMap& map, const atom_map::LimitParameters& limits) {
+  std::ostringstream text;
+  text << "cannot load " << file << ": its " << map.atoms().size() << " atoms (" << 1e-6 * map.atoms().bytes()
+       << " MB) are more than this node takes with limits/max_atoms " << limits.max_atoms
+       << " and limits/max_megabytes " << limits.max_megabytes
+       << " (0: no limit); raise them, load another map, or set limits/policy to forget_farthest";
+  return text.str();
 }
 
 // Answers a request by act(), which returns the number of atoms, or by what went wrong.
@@ -98,9 +108,26 @@ std::size_t MapStorage::saveTo(const std::string& file) {
 std::size_t MapStorage::loadFrom(const std::string& file) {
   atom_map::LoadedMap loaded = atom_map::loadMap(file);
   checkFits(file, loaded.parameters, server_.parameters());
+  fit(file, loaded.map);
   const std::size_t atoms = loaded.map.atoms().size();
   server_.replace(std::move(loaded.map), loaded.scans);
   return atoms;
+}
+
+// Choice: the farthest are those from where the sensor was last, and before the first cloud from where the file's map began.
+// The window waits for the next cloud.
+void MapStorage::fit(const std::string& file, atom_map::AtomMap& map) {
+  const atom_map::LimitParameters& limits = server_.parameters().limits;
+  const atom_map::MapLimit limit = atom_map::limitOf(limits);
+  if (limit.holds(map.atoms())) return;
+  map.atoms().shrink();  // so that a map which was saved within the limit is
+  if (limit.holds(map.atoms())) return;
+  if (limits.policy == atom_map::LimitPolicy::kRefuse) throw std::runtime_error(tooLarge(file, map, limits));
+  const auto sensor = server_.sensorPose();
+  const std::size_t forgotten = forgetFarthest(map, limit, sensor ? sensor->translation() : map.origin());
+  log_.warn("fit", "Forgot " + std::to_string(forgotten) + " atoms of " + file +
+                       ", those farthest from the sensor, since " +
+                       "limits/max_atoms and limits/max_megabytes leave no room for them");
 }
 
 void MapStorage::autosave() {

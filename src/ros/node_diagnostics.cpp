@@ -18,9 +18,19 @@ const char* toString(atom_map::Mode mode) {
 void describeMap(const ScanServer& server, diagnostic_updater::DiagnosticStatusWrapper& status) {
   const auto [atoms, bytes] =
       server.read([](const atom_map::AtomMap& map) { return std::make_pair(map.atoms().size(), map.atoms().bytes()); });
-  status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%zu atoms", atoms);
+  const LimitCounts limits = server.limitCounts();
+  if (limits.is_full) {
+    status.summaryf(diagnostic_msgs::DiagnosticStatus::WARN,
+                    "full at %zu atoms, new ones are refused; raise limits/max_atoms or limits/max_megabytes, or set "
+                    "limits/policy to forget_farthest",
+                    atoms);
+  } else {
+    status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "%zu atoms", atoms);
+  }
   status.add("atoms", atoms);
   status.add("bytes", bytes);
+  status.add("atoms refused", limits.refused);
+  status.add("atoms forgotten", limits.forgotten);
   status.add("radius (m)", server.parameters().radius);
   status.add("mode", toString(server.parameters().mode));
 }

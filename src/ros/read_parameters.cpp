@@ -13,6 +13,7 @@
 namespace atom_mapping {
 namespace {
 
+using atom_map::LimitPolicy;
 using atom_map::Mode;
 using atom_map::Range;
 
@@ -59,6 +60,10 @@ class Reader {
 
   void operator()(const char* name, Mode& field) {
     readChoice(name, field, {{"occupancy", Mode::kOccupancy}, {"signed_distance", Mode::kSignedDistance}});
+  }
+
+  void operator()(const char* name, LimitPolicy& field) {
+    readChoice(name, field, {{"refuse", LimitPolicy::kRefuse}, {"forget_farthest", LimitPolicy::kForgetFarthest}});
   }
 
   void operator()(const char* name, AtomColor& field) {

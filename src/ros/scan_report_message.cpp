@@ -17,6 +17,8 @@ ScanReport toMessage(const atom_map::ScanReport& report, const std_msgs::Header&
   message.candidates_kept = report.candidates_kept;
   message.atoms_inserted = report.merge.inserted;
   message.atom_updates = report.merge.updates;
+  message.atoms_refused = report.merge.refused;
+  message.atoms_forgotten = static_cast<std::uint32_t>(report.forgotten);
   message.atoms = report.atoms;
   message.map_bytes = report.map_bytes;
   message.seconds_filter = static_cast<float>(report.seconds.filter);
@@ -24,6 +26,7 @@ ScanReport toMessage(const atom_map::ScanReport& report, const std_msgs::Header&
   message.seconds_rays = static_cast<float>(report.seconds.rays);
   message.seconds_candidate_filter = static_cast<float>(report.seconds.candidate_filter);
   message.seconds_merge = static_cast<float>(report.seconds.merge);
+  message.seconds_forget = static_cast<float>(report.seconds.forget);
   message.seconds_total = static_cast<float>(report.seconds.total());
   return message;
 }

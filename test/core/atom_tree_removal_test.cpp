@@ -26,11 +26,27 @@ class TreeAndList {
 
   // Whether both say that they removed as many.
   bool removeInBox(const AlignedBox3f& box) {
-    const auto end =
-        std::remove_if(atoms_.begin(), atoms_.end(), [&](const PlainAtom& atom) { return box.contains(atom.center); });
-    const auto removed = static_cast<std::size_t>(atoms_.end() - end);
-    atoms_.erase(end, atoms_.end());
-    return tree_.removeInBox(box) == removed;
+    return removeFromList([&](const Vector3f& center) { return box.contains(center); }) == tree_.removeInBox(box);
+  }
+
+  // In slices, each of which must end soon after `at_most`.
+  bool removeBeyond(const Vector3f& p, float radius, std::size_t at_most) {
+    const std::size_t expected =
+        removeFromList([&](const Vector3f& center) { return !((center - p).squaredNorm() < radius * radius); });
+    std::size_t removed = 0;
+    for (;;) {
+      const std::size_t slice = tree_.removeBeyond(p, radius, at_most);
+      removed += slice;
+      if (slice < at_most) return removed == expected;
+      if (slice >= at_most + kLongestLeaf) return false;
+    }
+  }
+
+  // Whether the tree is the one that its atoms make when they are inserted in its order, leaf by leaf.
+  bool isAsIfInsertedInItsOrder() const {
+    AtomTree again(kCell, value_count_);
+    for (const PlainAtom& atom : allOf(tree_, value_count_)) again.insert(atom.center, atom.values.data());
+    return leafSizes(again) == leafSizes(tree_) && allOf(again, value_count_) == allOf(tree_, value_count_);
   }
 
   bool agree() const { return tree_.size() == atoms_.size() && sorted(allOf(tree_, value_count_)) == sorted(atoms_); }
@@ -47,6 +63,23 @@ class TreeAndList {
   const std::vector<PlainAtom>& atoms() const { return atoms_; }
 
  private:
+  static constexpr std::size_t kLongestLeaf = 100;  // of the distributions, with their duplicates
+
+  template <class IsGone>
+  std::size_t removeFromList(IsGone&& is_gone) {
+    const auto end =
+        std::remove_if(atoms_.begin(), atoms_.end(), [&](const auto& atom) { return is_gone(atom.center); });
+    const auto removed = static_cast<std::size_t>(atoms_.end() - end);
+    atoms_.erase(end, atoms_.end());
+    return removed;
+  }
+
+  static std::vector<std::uint32_t> leafSizes(const AtomTree& tree) {
+    std::vector<std::uint32_t> sizes;
+    tree.forEachBlock([&](const AtomBlock& block) { sizes.push_back(block.size()); });
+    return sizes;
+  }
+
   int value_count_;
   AtomTree tree_;
   std::vector<PlainAtom> atoms_;
@@ -59,17 +92,17 @@ AlignedBox3f drawBox(Random& random, float half, float reach) {
   return {middle - size, middle + size};
 }
 
-// One step of the property: how many atoms are put in around a place, or which box is emptied.
+// One step of the property: how many atoms are put in around a place, or which box is emptied, or what lies beyond a ball.
 struct Step {
   std::uint64_t seed;
-  int inserted;  // 0: removes
+  int inserted;  // 0: removes a box, -1: beyond a ball
   bool on_cell_borders;
 };
 
 rc::Gen<Step> genStep() {
   return rc::gen::build<Step>(
       rc::gen::set(&Step::seed, rc::gen::inRange<std::uint64_t>(0, 1000000)),
-      rc::gen::set(&Step::inserted, rc::gen::weightedElement<int>({{3, 0}, {3, 1}, {2, 10}, {2, 100}})),
+      rc::gen::set(&Step::inserted, rc::gen::weightedElement<int>({{3, 0}, {1, -1}, {3, 1}, {2, 10}, {2, 100}})),
       rc::gen::set(&Step::on_cell_borders, rc::gen::arbitrary<bool>()));
 }
 
@@ -83,6 +116,10 @@ RC_GTEST_PROP(AtomTreeRemoval, AnyInterleavingWithInsertionLeavesWhatAListWouldH
   for (const Step& step : *rc::gen::container<std::vector<Step>>(genStep())) {
     Random random(step.seed);
     if (step.inserted == 0) RC_ASSERT(both.removeInBox(drawBox(random, 6.0F, 5.0F)));
+    if (step.inserted < 0) {
+      const Vector3f middle = drawWithin(random, 4.0F);
+      RC_ASSERT(both.removeBeyond(middle, draw(random, 0.0F, 10.0F), 1 + drawIndex(random, 200)));
+    }
     const Vector3f place = drawWithin(random, 5.0F);
     for (int i = 0; i < step.inserted; ++i) {
       Vector3f center = place + drawWithin(random, 2.0F);
@@ -91,6 +128,7 @@ RC_GTEST_PROP(AtomTreeRemoval, AnyInterleavingWithInsertionLeavesWhatAListWouldH
     }
     RC_ASSERT(both.agree());
     RC_ASSERT(both.nearestAgree(place));
+    RC_ASSERT(both.isAsIfInsertedInItsOrder());
   }
 }
 
@@ -115,8 +153,36 @@ TEST_P(AtomTreeRemovals, BoxByBoxLeavesTheAtomsOutside) {
   }
 }
 
+TEST_P(AtomTreeRemovals, BallByBallLeavesTheAtomsWithin) {
+  for (const int value_count : {1, 2}) {
+    TreeAndList both(value_count);
+    for (const Vector3f& center : GetParam().centers) both.insert(center);
+    Random random(5);
+    float reach = 2000.0F;
+    while (!both.atoms().empty()) {  // about one of the atoms, smaller and smaller
+      const Vector3f middle = both.atoms()[drawIndex(random, both.atoms().size())].center + drawWithin(random, 1.0F);
+      ASSERT_TRUE(both.removeBeyond(middle, reach, 1 + drawIndex(random, 300)));
+      ASSERT_TRUE(both.agree());
+      ASSERT_TRUE(both.nearestAgree(middle));
+      ASSERT_TRUE(both.isAsIfInsertedInItsOrder());
+      reach = reach < 0.1F ? 0.0F : 0.6F * reach;
+    }
+    EXPECT_EQ(both.tree().bytes(), 0U);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, AtomTreeRemovals, testing::ValuesIn(distributions()),
                          [](const auto& instance) { return instance.param.name; });
+
+TEST(AtomTreeRemoval, BeyondARadiusIsWhatASearchWithinDoesNotVisit) {
+  AtomTree tree = makeTree(numbered(gridOnCellBorders(), 1), kCell, 1);
+  std::size_t within = 0;
+  tree.forEachWithin(Vector3f::Zero(), 2.0F, [&](ConstAtomRef, float) { ++within; });  // many lie just so far
+  tree.removeBeyond(Vector3f::Zero(), 2.0F);
+  EXPECT_EQ(tree.size(), within);
+  EXPECT_EQ(tree.removeBeyond(Vector3f::Zero(), std::numeric_limits<float>::infinity()), 0U);
+  EXPECT_EQ(tree.removeBeyond(Vector3f::Zero(), 0.0F), within);
+}
 
 TEST(AtomTreeRemoval, AnEmptyBoxRemovesNothing) {
   AtomTree tree = makeTree(numbered(gridOnCellBorders(), 1), kCell, 1);

@@ -114,6 +114,8 @@ std::vector<Fault> faultsOfAttributes() {
        "it does not tell occupancy/max_log_odds"},
       {"an unknown mode", [](auto& f) { setText(parameters(f), "mode", "tsdf"); },
        "mode is 'tsdf'; this program knows"},
+      {"an unknown policy", [](auto& f) { setText(parameters(f), "limits/policy", "forget"); },
+       "limits/policy is 'forget'; this program knows"},
       {"a number for a mode", [](auto& f) { setReal(parameters(f), "mode", 1.0); }, "mode is not a text"},
       {"a mode of another's", [](auto& f) { setText(parameters(f), "mode", "signed_distance"); }, "HDF5: "},
       {"an empty frame", [](auto& f) { setText(parameters(f), "map_frame", ""); }, "map_frame is empty"},
@@ -236,6 +238,24 @@ TEST_F(MapFileFaults, AChangeUnderANewSealIsNoFaultInItself) {
   save(Mode::kOccupancy);
   EXPECT_EQ(faultOf(changed({"", [](auto& f) { setReal(parameters(f), "scan/max_range", 30.0); }, ""})), "");
   EXPECT_EQ(faultOf(changed({"", [](auto& f) { parameters(f).removeAttr("rays/lambda"); }, ""})), "");
+}
+
+TEST_F(MapFileFaults, AFileFromBeforeThereWereLimitsHasNone) {
+  MappingParameters limited = parametersOf(Mode::kOccupancy);
+  limited.limits = {1000, 5.0, LimitPolicy::kForgetFarthest, 50.0};
+  saveMap(copyOf(limited, drawMap(limited, 500, 1)), path("map.h5"));
+  const LoadedMap loaded = loadMap(changed(
+      {"",
+       [](auto& f) {
+         for (const char* name : {"limits/max_atoms", "limits/max_megabytes", "limits/policy", "limits/window"}) {
+           parameters(f).removeAttr(name);
+         }
+       },
+       ""}));
+  EXPECT_EQ(loaded.parameters.limits.max_atoms, 0U);
+  EXPECT_EQ(loaded.parameters.limits.max_megabytes, 0.0);
+  EXPECT_EQ(loaded.parameters.limits.policy, LimitPolicy::kRefuse);
+  EXPECT_EQ(loaded.parameters.limits.window, 0.0);
 }
 
 TEST_F(MapFileFaults, EveryAttributeIsChecked) {

@@ -18,6 +18,7 @@ struct Printer {
   void operator()(const char* name, const std::string& value) const { text += name + (" " + value) + "\n"; }
   void operator()(const char* name, bool value) const { text += name + std::string(value ? " true\n" : " false\n"); }
   void operator()(const char* name, Mode value) const { operator()(name, value == Mode::kOccupancy); }
+  void operator()(const char* name, LimitPolicy value) const { operator()(name, value == LimitPolicy::kRefuse); }
 };
 
 std::string print(const MappingParameters& parameters) {
@@ -50,6 +51,7 @@ TEST_F(MapFile, BringsBackEveryParameter) {
   parameters.scan.clear_no_returns = true;
   parameters.scan.max_range = 1.0 / 3.0 + 40.0;
   parameters.gaussian_process.neighbors = 5;
+  parameters.limits = {1000000, 12.5, LimitPolicy::kForgetFarthest, 60.0};
   saveMap(copyOf(parameters, drawMap(parameters, 10, 1)), path("map.h5"));
   EXPECT_EQ(print(loadMap(path("map.h5")).parameters), print(parameters));
   EXPECT_EQ(loadMap(path("map.h5")).parameters.scan.max_range, parameters.scan.max_range);
@@ -86,9 +88,15 @@ TEST_F(MapFile, ALoadedMapAnswersTheSameToTheBit) {
 
 TEST_F(MapFile, MappingGoesOnAsIfItHadNeverStopped) {
   const Drive drive = makeDrive("cube", 6, 3);
-  for (const Mode mode : {Mode::kOccupancy, Mode::kSignedDistance}) {
+  LimitParameters forgetful;
+  forgetful.max_atoms = 500;  // of which each scan forgets some
+  forgetful.policy = LimitPolicy::kForgetFarthest;
+  for (const auto& [mode, limits] : {std::pair(Mode::kOccupancy, LimitParameters{}),
+                                     {Mode::kSignedDistance, LimitParameters{}},
+                                     {Mode::kOccupancy, forgetful}}) {
     MappingParameters parameters = parametersOf(mode, 0.1);
     parameters.scan.min_range = 0.1;
+    parameters.limits = limits;
     Mapper whole(parameters);
     Mapper first(parameters);
     Mapper second(parameters);

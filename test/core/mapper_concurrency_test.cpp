@@ -87,6 +87,20 @@ TEST(MapperConcurrency, ReadersSeeASoundMapAtEveryMomentAndDoNotChangeIt) {
   EXPECT_EQ(bytesOf(mapper), bytesOf(alone)) << "the map should not depend on who reads it";
 }
 
+TEST(MapperConcurrency, ReadersSeeASoundMapWhileItForgets) {
+  MappingParameters parameters = makeParameters();
+  parameters.limits.max_atoms = 4000;
+  parameters.limits.policy = LimitPolicy::kForgetFarthest;
+  parameters.limits.window = 25.0;
+  Mapper alone(parameters);
+  mapAll(alone);
+  Mapper mapper(parameters);
+  runBeside(
+      3, [&](int reader) { expectSound(mapper, reader); }, [&] { mapAll(mapper); });
+  EXPECT_EQ(bytesOf(mapper), bytesOf(alone)) << "what is forgotten should not depend on who reads";
+  EXPECT_LE(mapper.read([](const AtomMap& map) { return map.atoms().size(); }), 4000U);
+}
+
 TEST(MapperConcurrency, RegionsMayBeClearedWhileScansAreMerged) {
   Mapper mapper(makeParameters());
   const Vector3d sensor = drive().poses[0].translation();

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "atom_mapping/io/map_file.h"
+#include "atom_mapping/map/map_limit.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
@@ -133,6 +134,53 @@ TEST_F(MapStorageTest, AMapInAnotherFrameIsRefusedAndASlashIsNone) {
   other.map_frame = "/map";
   atom_map::saveMap(atom_map::copyMap(atom_map::Mapper(other)), path("slash.h5"));
   EXPECT_TRUE(storage.load(at(path("slash.h5"))).success);
+}
+
+TEST_F(MapStorageTest, AMapLargerThanTheLimitIsRefusedWithTheRemedyOrForgotten) {
+  mapScans(server_, 0, 3);
+  ASSERT_TRUE(MapStorage(server_, {}).save(at(path("map.h5"))).success);
+  const std::size_t all = server_.read([](const AtomMap& map) { return map.atoms().size(); });
+  for (const bool by_bytes : {false, true}) {
+    atom_map::MappingParameters parameters = coarse();
+    if (!by_bytes) parameters.limits.max_atoms = static_cast<std::uint32_t>(all / 2);
+    if (by_bytes) parameters.limits.max_megabytes = 12e-6 * static_cast<double>(all);
+    ScanServer refusing(parameters);
+    mapScans(refusing, 0, 1);
+    const std::vector<float> before = bitsOf(refusing);
+    const auto refused = MapStorage(refusing, {}).load(at(path("map.h5")));
+    EXPECT_FALSE(refused.success);
+    const std::string atoms = "its " + std::to_string(all) + " atoms (";
+    EXPECT_NE(refused.message.find(atoms), std::string::npos) << refused.message;
+    EXPECT_NE(refused.message.find("set limits/policy to forget_farthest"), std::string::npos) << refused.message;
+    EXPECT_EQ(bitsOf(refusing), before);
+    EXPECT_THROW(MapStorage(refusing, {path("map.h5"), "", 60.0}), std::invalid_argument);
+
+    parameters.limits.policy = atom_map::LimitPolicy::kForgetFarthest;
+    ScanServer forgetting(parameters);
+    const auto loaded = MapStorage(forgetting, {}).load(at(path("map.h5")));
+    ASSERT_TRUE(loaded.success) << loaded.message;
+    EXPECT_GT(loaded.atoms, all / 4);
+    forgetting.read([&](const AtomMap& map) {
+      EXPECT_EQ(map.atoms().size(), loaded.atoms);
+      EXPECT_TRUE(atom_map::limitOf(parameters.limits).holds(map.atoms()));
+    });
+  }
+}
+
+TEST_F(MapStorageTest, AMapThatWasSavedWithinTheLimitLoadsWithinIt) {
+  atom_map::MappingParameters parameters = coarse();
+  parameters.limits.max_megabytes = 0.02;
+  ScanServer full(parameters);
+  mapScans(full, 0, 2);
+  const Eigen::Vector3d sensor = drive_.pose(0).translation();
+  full.clearRegion({sensor - Eigen::Vector3d::Constant(9.0), sensor + Eigen::Vector3d::Constant(9.0)});
+  mapScans(full, 2, 5);
+  ASSERT_TRUE(full.limitCounts().is_full);
+  ASSERT_TRUE(MapStorage(full, {}).save(at(path("map.h5"))).success);
+  const std::vector<float> before = bitsOf(full);
+  const auto loaded = MapStorage(full, {}).load(at(path("map.h5")));
+  EXPECT_TRUE(loaded.success) << loaded.message;
+  EXPECT_EQ(bitsOf(full), before);
 }
 
 TEST_F(MapStorageTest, AFileThatIsNotThereOrDamagedIsRefusedAndTheMapStays) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/Point.h>
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -29,6 +30,7 @@ class NodeClient {
                                                       [this](const auto& report) { reports.push_back(*report); });
     diagnostics_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, [this](const auto& array) {
       for (const auto& status : array->status) {
+        statuses[status.name] = status;
         for (const auto& entry : status.values) diagnostics[entry.key] = entry.value;
       }
       ++diagnostics_count;
@@ -120,7 +122,8 @@ class NodeClient {
   }
 
   std::vector<ScanReport> reports;
-  std::map<std::string, std::string> diagnostics;
+  std::map<std::string, std::string> diagnostics;                     // values by their keys
+  std::map<std::string, diagnostic_msgs::DiagnosticStatus> statuses;  // by name, such as "atom_mapping: map"
   int diagnostics_count = 0;
   std::vector<std::string> warnings;
 

@@ -39,6 +39,21 @@ TEST(NodeParameters, FaultsStopTheNodeAndAreNamedAtOnce) {
   }
 }
 
+TEST(NodeParameters, LimitsThatCannotBeStopTheNode) {
+  ros::param::set("/limitless/limits/max_atoms", -1);
+  ros::param::set("/limitless/limits/max_megabytes", "all");
+  ros::param::set("/limitless/limits/policy", "forget");
+  ros::param::set("/limitless/limits/window", 10.0);
+  const Outcome outcome = runNode("__name:=limitless");
+  EXPECT_EQ(outcome.exit_code, 1);
+  for (const char* expected :
+       {"limits/max_atoms is -1; it must be a whole number", "limits/max_megabytes is 'all'; it must be a number",
+        "limits/policy is 'forget'; it must be forget_farthest or refuse",
+        "limits/window is 10; it must be 0 or at least scan/max_range, which is 25"}) {
+    EXPECT_NE(outcome.output.find(expected), std::string::npos) << expected << "\nis not in\n" << outcome.output;
+  }
+}
+
 TEST(NodeParameters, AParameterTreeThatIsNoneStopsTheNode) {
   ros::param::set("/scalar", 3);
   const Outcome outcome = runNode("__name:=scalar");

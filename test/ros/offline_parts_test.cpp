@@ -68,6 +68,18 @@ TEST(BagSummary, AddsUpScansPointsAndDropsByCause) {
   EXPECT_EQ(summary.firstDrop(), "no transform: first");
 }
 
+TEST(BagSummary, TellsWhatALimitedMapRefusedAndForgot) {
+  BagSummary summary;
+  ScanOutcome outcome = mapped(100, 0.01F);
+  outcome.report.atoms_refused = 3;
+  outcome.report.atoms_forgotten = 20;
+  summary.add(outcome);
+  summary.add(outcome);
+  std::ostringstream out;
+  summary.print(1.0, out);
+  EXPECT_NE(out.str().find("atoms             10, refused 6, forgotten 40\n"), std::string::npos) << out.str();
+}
+
 TEST(BagSummary, OfNoScanIsShort) {
   std::ostringstream out;
   BagSummary().print(1.0, out);

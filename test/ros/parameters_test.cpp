@@ -55,7 +55,8 @@ TEST(Parameters, ValuesArrive) {
   const Parameters p = readYaml(
       "{radius: 0.1, seed: 4294967295, mode: signed_distance, map_frame: odom, scan: {max_range: 50, clear_no_returns: "
       "true},"
-      " occupancy/max_log_odds: 2.5, publish: {color: distance, max_markers: 7}, services/max_points: 10}");
+      " occupancy/max_log_odds: 2.5, publish: {color: distance, max_markers: 7}, services/max_points: 10,"
+      " limits: {max_atoms: 1000000, max_megabytes: 20, policy: forget_farthest, window: 60}}");
   EXPECT_EQ(p.mapping.radius, 0.1);
   EXPECT_EQ(p.mapping.seed, 4294967295U);
   EXPECT_EQ(p.mapping.mode, atom_map::Mode::kSignedDistance);
@@ -66,6 +67,10 @@ TEST(Parameters, ValuesArrive) {
   EXPECT_EQ(p.node.publish.color, AtomColor::kDistance);
   EXPECT_EQ(p.node.publish.max_markers, 7U);
   EXPECT_EQ(p.node.services.max_points, 10U);
+  EXPECT_EQ(p.mapping.limits.max_atoms, 1000000U);
+  EXPECT_EQ(p.mapping.limits.max_megabytes, 20.0);
+  EXPECT_EQ(p.mapping.limits.policy, atom_map::LimitPolicy::kForgetFarthest);
+  EXPECT_EQ(p.mapping.limits.window, 60.0);
 }
 
 TEST(Parameters, EveryFaultIsNamedAtOnce) {
@@ -97,6 +102,8 @@ TEST(Parameters, NumbersThatAreNoneAreRefused) {
 
 TEST(Parameters, FaultsBetweenParametersAreNamed) {
   EXPECT_NE(faultsOf("{scan: {min_range: 10, max_range: 5}}").find("scan/min_range is 10"), std::string::npos);
+  EXPECT_NE(faultsOf("limits/window: 20").find("limits/window is 20; it must be 0 or at least scan/max_range"),
+            std::string::npos);
   EXPECT_NE(faultsOf("map_frame: ''").find("map_frame is empty"), std::string::npos);
   EXPECT_NE(faultsOf("publish/color: distance").find("which mode occupancy does not know"), std::string::npos);
   EXPECT_NE(faultsOf("{mode: signed_distance, publish/color: occupancy}").find("must be height or distance"),

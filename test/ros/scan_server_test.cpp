@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 
 #include "atom_mapping/query/occupancy.h"
@@ -197,6 +198,54 @@ TEST_F(ScanServerTest, AResetServerBuildsTheSameMapAgain) {
   EXPECT_TRUE(bytesOf(server_).empty());
   insert(drive_.cloud(0));
   EXPECT_EQ(bytesOf(server_), first);
+}
+
+class LimitedServerTest : public ScanServerTest {
+ protected:
+  static constexpr std::uint32_t kMost = 300;  // atoms
+
+  // Maps some clouds; returns the last report.
+  ScanReport mapWith(atom_map::LimitPolicy policy) {
+    atom_map::MappingParameters parameters;
+    parameters.limits.max_atoms = kMost;
+    parameters.limits.policy = policy;
+    limited_ = std::make_unique<ScanServer>(parameters);
+    ScanReport last;
+    for (int i = 0; i < 3; ++i) {
+      tellTransform(i);
+      last = limited_->insert(drive_.cloud(i), transforms_).report;
+      EXPECT_LE(last.atoms, kMost);
+      refused_ += last.atoms_refused;
+      forgotten_ += last.atoms_forgotten;
+    }
+    EXPECT_EQ(limited_->limitCounts().refused, refused_);
+    EXPECT_EQ(limited_->limitCounts().forgotten, forgotten_);
+    return last;
+  }
+
+  std::unique_ptr<ScanServer> limited_;
+  std::uint64_t refused_ = 0;
+  std::uint64_t forgotten_ = 0;
+};
+
+TEST_F(LimitedServerTest, AFullMapTellsWhatItRefusesUntilThereIsRoom) {
+  const ScanReport last = mapWith(atom_map::LimitPolicy::kRefuse);
+  EXPECT_GT(last.atoms_refused, 100U);
+  EXPECT_EQ(last.atoms, kMost);
+  EXPECT_EQ(forgotten_, 0U);
+  EXPECT_TRUE(limited_->limitCounts().is_full);
+  limited_->reset();
+  EXPECT_FALSE(limited_->limitCounts().is_full);
+  EXPECT_EQ(limited_->limitCounts().refused, refused_);
+}
+
+TEST_F(LimitedServerTest, AForgetfulMapTellsWhatItForgets) {
+  const ScanReport last = mapWith(atom_map::LimitPolicy::kForgetFarthest);
+  EXPECT_GT(last.atoms_forgotten, 100U);
+  EXPECT_GT(last.seconds_forget, 0.0F);
+  EXPECT_LE(last.seconds_forget, last.seconds_total);
+  EXPECT_EQ(refused_, 0U);
+  EXPECT_FALSE(limited_->limitCounts().is_full);
 }
 
 TEST(ScanServer, FaultyParametersAreRefused) {

@@ -17,7 +17,7 @@ struct Range {
   bool contains(double value) const { return (open ? value > low : value >= low) && value <= high; }
 };
 
-// Calls visit(name, field, range) for each number, visit(name, field) for each flag, text and mode, with names such as
+// Calls visit(name, field, range) for each number, visit(name, field) for each flag, text, mode and policy, with names such as
 // "scan/max_range". `Parameters` is MappingParameters or const MappingParameters.
 template <class Parameters, class Visit>
 void forEachParameter(Parameters& p, Visit&& visit) {
@@ -67,6 +67,11 @@ void forEachParameter(Parameters& p, Visit&& visit) {
   visit("planning/surface_weight", p.planning.surface_weight, Range{0.0, 1e6});
   visit("planning/timeout", p.planning.timeout, Range{0.0, 3600.0, true});
   visit("planning/shortcut", p.planning.shortcut);
+
+  visit("limits/max_atoms", p.limits.max_atoms, Range{0.0, std::numeric_limits<std::uint32_t>::max()});
+  visit("limits/max_megabytes", p.limits.max_megabytes, Range{0.0, 1e6});
+  visit("limits/policy", p.limits.policy);
+  visit("limits/window", p.limits.window, Range{0.0, kAny});
 }
 
 }  // namespace atom_map

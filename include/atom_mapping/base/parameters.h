@@ -74,6 +74,16 @@ struct PlanningParameters {
   bool shortcut = true;           // whether paths leave the atoms where a straight way is safe and costs less
 };
 
+enum class LimitPolicy { kRefuse, kForgetFarthest };
+
+// limits/: how much of the world the map keeps.
+struct LimitParameters {
+  std::uint32_t max_atoms = 0;  // 0: as many as there are
+  double max_megabytes = 0.0;   // 10^6 bytes of atoms and index, AtomTree::bytes(); 0: as many as they take
+  LimitPolicy policy = LimitPolicy::kRefuse;  // of a map that is full: no new atoms, or none of the farthest
+  double window = 0.0;                        // m, about the sensor; what lies farther is forgotten; 0: nothing
+};
+
 // OctoMap beside the atom map, fed with the same scans.
 struct OctomapParameters {
   double resolution = 0.0;  // m, side of a voxel; 0: that of a voxel with the volume of an atom
@@ -92,6 +102,7 @@ struct MappingParameters {
   GaussianProcessParameters gaussian_process;
   SurfaceParameters surface;
   PlanningParameters planning;
+  LimitParameters limits;
 };
 
 }  // namespace atom_map

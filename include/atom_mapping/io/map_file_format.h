@@ -30,4 +30,8 @@ inline const char* nameOf(Mode mode) {
   return mode == Mode::kOccupancy ? "occupancy" : "signed_distance";
 }
 
+inline const char* nameOf(LimitPolicy policy) {
+  return policy == LimitPolicy::kRefuse ? "refuse" : "forget_farthest";
+}
+
 }  // namespace atom_map::map_file

@@ -10,6 +10,10 @@
 //
 // Thread safety: const members may run side by side; any other member needs the tree alone.
 //
+// Memory: each removal gives the atoms' own blocks back. The arrays of nodes give theirs back when less than half of them
+// is used: the nodes then move to new arrays, in the tree's order, at a cost of O(nodes): 2 ms for a
+// million atoms.
+//
 // Lifetime: an AtomRef is valid until the next insertion or removal; a Neighbor is a copy.
 #pragma once
 
@@ -18,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,6 +52,7 @@ struct Neighbor {
 class AtomTree {
  public:
   static constexpr std::uint32_t kLeafCapacity = 32;  // atoms
+  static constexpr std::size_t kEvery = std::numeric_limits<std::size_t>::max();
 
   // `cell`: side of the smallest cell that a split may make, in metres; rounded down to a power of two, so that floats
   // hold every plane exactly. `value_count`: floats that an atom stores, 1 or 2.
@@ -96,11 +102,19 @@ class AtomTree {
   // Removes the atoms whose centres lie in the closed box; returns how many.
   std::size_t removeInBox(const Eigen::AlignedBox3f& box);
 
+  // Removes the atoms that forEachWithin(p, radius) does not visit; returns how many. Stops once it has removed `at_most` and
+  // the rest of a leaf: the fewer, the shorter it takes. Subtrees whose boxes lie within the radius cost nothing.
+  std::size_t removeBeyond(const Eigen::Vector3f& p, float radius, std::size_t at_most = kEvery);
+
   void clear();
 
+  // Gives back what the arrays of nodes hold beside the nodes, which removals do for most of it.
+  void shrink() { compact(0); }
+
   std::size_t size() const { return size_; }
-  std::size_t depth() const;  // inner nodes on the longest way to a leaf
-  std::size_t bytes() const;  // heap bytes held, of atoms and index
+  std::size_t depth() const;             // inner nodes on the longest way to a leaf
+  std::size_t bytes() const;             // heap bytes held, of atoms and index; costs O(1)
+  std::size_t bytesAfterInsert() const;  // at most
 
  private:
   // Of a coordinate or of the difference of two near it, with two roundings to spare.
@@ -168,9 +182,27 @@ class AtomTree {
   Child newLeaf();
   Child newInner(int level, const Eigen::Vector3f& side_of, Child child, Child other);
   void release(Child child);
+  AtomBlock taken(Child child);
   bool splitIfOverfull(Place place);
-  Child removeBelow(Child child, const Eigen::AlignedBox3f& box);
   std::size_t depthBelow(Child child) const;
+
+  // Calls change(AtomBlock&), which may change how many atoms the leaf holds.
+  template <class Change>
+  void changeLeaf(Child child, Change&& change) {
+    block_bytes_ -= leaf(child).bytes();
+    change(leaf(child));
+    block_bytes_ += leaf(child).bytes();
+  }
+  template <class Region>
+  std::size_t remove(const Region& region, std::size_t at_most);
+  template <class Region>
+  Child removeBelow(Child child, const Eigen::AlignedBox3f& bounds, const Region& region, std::size_t least_size);
+  template <class Region>
+  void removeInLeaf(Child child, const Region& region);
+  Child joined(Child child, const std::array<Child, 2>& children);
+  void compactIfMostlyEmpty();
+  void compact(std::size_t spare_nodes);
+  Child moveBelow(Child child, std::vector<Inner>& inners, std::vector<AtomBlock>& leaves);
 
   template <class Visit>
   void visitLeaves(const Eigen::AlignedBox3f& box, Visit&& visit) const;
@@ -191,7 +223,9 @@ class AtomTree {
   float cells_per_metre_;
   int value_count_;
   std::size_t size_ = 0;
-  Child root_ = 0;  // meaningful while size_ > 0
+  std::size_t block_bytes_ = 0;  // of all leaves' blocks
+  Eigen::AlignedBox3f extent_;   // holds all centres; may be wider than they need
+  Child root_ = 0;               // meaningful while size_ > 0
   std::vector<Inner> inners_;
   std::vector<AtomBlock> leaves_;
   std::vector<Child> free_inners_;

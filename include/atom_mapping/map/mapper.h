@@ -9,6 +9,7 @@
 #include "atom_mapping/base/parameters.h"
 #include "atom_mapping/base/types.h"
 #include "atom_mapping/map/atom_map.h"
+#include "atom_mapping/map/forget.h"
 #include "atom_mapping/map/scan_report.h"
 #include "atom_mapping/scan/rays.h"
 
@@ -21,7 +22,8 @@ class Mapper {
   // Throws std::invalid_argument that names every parameter out of its range.
   explicit Mapper(const MappingParameters& parameters);
 
-  // Merges one scan into the map (Algorithm 1). Never fails: returns that cannot be used are counted in the report.
+  // Merges one scan into the map (Algorithm 1). Never fails: returns that cannot be used are counted in the report. The limits
+  // hold afterwards; by what policy, the report tells.
   // `sensor`: sensor frame to map frame at the scan's stamp; must be finite.
   ScanReport insertScan(const LidarScan& scan, const Pose& sensor);
 
@@ -50,7 +52,7 @@ class Mapper {
   }
 
   // Takes another map, of this one's mode and radius, and goes on as if it had been made here of so many scans; waits for
-  // a scan that is being merged.
+  // a scan that is being merged. A map beyond the limits is the caller's to fit (forgetFarthest) or to refuse.
   void replace(AtomMap map, std::uint64_t scans);
 
   // Empties the map and starts the random draws anew; waits for a scan that is being merged.
@@ -67,8 +69,12 @@ class Mapper {
   AnyCandidates gridFiltered(AnyCandidates interleaved, ScanReport& report) const;
   template <class AnyCandidate, class Merging>
   void merge(const std::vector<AnyCandidate>& candidates, Merging& merging, ScanReport& report);
+  MapLimit refusedBeyond() const;
+  std::size_t forget(const Eigen::Vector3d& sensor);
+  std::size_t forgetBeyond(const KeptBall& kept);
 
   MappingParameters parameters_;
+  MapLimit limit_;
   mutable std::mutex scan_mutex_;    // held from a scan's first stage to its last
   mutable std::shared_mutex mutex_;  // of the map
   AtomMap map_;

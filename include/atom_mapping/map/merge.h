@@ -9,6 +9,7 @@
 #include "atom_mapping/base/types.h"
 #include "atom_mapping/map/atom_map.h"
 #include "atom_mapping/map/center_set.h"
+#include "atom_mapping/map/map_limit.h"
 #include "atom_mapping/map/vicinity.h"
 #include "atom_mapping/scan/normal_rays.h"
 
@@ -19,6 +20,7 @@ constexpr float kBlock = 4.0F;
 
 struct MergeReport {
   std::uint32_t inserted = 0;  // candidates that became atoms
+  std::uint32_t refused = 0;   // candidates that would have, had the map not been full
   std::uint32_t updates = 0;   // changes of atoms that were there
 };
 
@@ -32,8 +34,8 @@ struct MergeReport {
 // The same for a free candidate that overlaps one atom only: there is often a hole beside it, of nine in ten that rays crossed.
 class OccupancyMerge {
  public:
-  // The map must be in occupancy mode, and outlive this.
-  OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters);
+  // The map must be in occupancy mode, and outlive this. A map that reaches `limit` gets no new atoms.
+  OccupancyMerge(AtomMap& map, const OccupancyParameters& parameters, const MapLimit& limit = {});
 
   // Candidates in the map's local frame; their values are log-odds.
   void add(const Candidate* begin, const Candidate* end);
@@ -56,6 +58,8 @@ class OccupancyMerge {
   void addAside(const Candidate& candidate, const Eigen::Vector3f& push);
   void insert(const Candidate& candidate);
 
+  const AtomTree& atoms_;
+  MapLimit limit_;
   float diameter_;  // m, of an atom
   Vicinity vicinity_;
   float max_log_odds_;
@@ -68,8 +72,8 @@ class OccupancyMerge {
 // the one at the candidate's own by their offset along the normal. The paper leaves that offset as an error of up to 2r.
 class DistanceMerge {
  public:
-  // The map must be in signed distance mode, and outlive this.
-  DistanceMerge(AtomMap& map, const SignedDistanceParameters& parameters);
+  // As OccupancyMerge, in signed distance mode.
+  DistanceMerge(AtomMap& map, const SignedDistanceParameters& parameters, const MapLimit& limit = {});
 
   // Candidates in the map's local frame; their distances must not be 0, which Eq. (9) would trust without bounds.
   void add(const DistanceCandidate* begin, const DistanceCandidate* end);
@@ -79,6 +83,8 @@ class DistanceMerge {
  private:
   void add(const DistanceCandidate& candidate);
 
+  const AtomTree& atoms_;
+  MapLimit limit_;
   float diameter_;  // m, of an atom
   Vicinity vicinity_;
   float xi_;

@@ -17,6 +17,7 @@ struct ScanReport {
   std::uint32_t candidates_interleaved = 0;  // left by interleaving
   std::uint32_t candidates_kept = 0;         // left by the candidate filter
   MergeReport merge;
+  std::uint64_t forgotten = 0;  // atoms that the limits let go of, after the merge
   std::uint64_t atoms = 0;      // in the map, after the scan
   std::uint64_t map_bytes = 0;  // heap bytes of the map
 
@@ -27,7 +28,8 @@ struct ScanReport {
     double rays = 0.0;
     double candidate_filter = 0.0;
     double merge = 0.0;
-    double total() const { return filter + normals + rays + candidate_filter + merge; }
+    double forget = 0.0;
+    double total() const { return filter + normals + rays + candidate_filter + merge + forget; }
   } seconds;
 };
 

@@ -26,13 +26,14 @@ class MapStorage {
   MapStorage& operator=(const MapStorage&) = delete;
 
   // As MapQueries' answers: never throw, and a file that cannot be loaded leaves the map as it is. A file's map must be of
-  // the node's mode, radius and map frame.
+  // the node's mode, radius and map frame, and within limits/max_*: what is beyond is refused or forgotten, as limits/policy says.
   MapFile::Response save(const MapFile::Request& request);
   MapFile::Response load(const MapFile::Request& request);
 
  private:
   std::size_t saveTo(const std::string& file);
   std::size_t loadFrom(const std::string& file);
+  void fit(const std::string& file, atom_map::AtomMap& map);
   void autosave();
   void work();
 

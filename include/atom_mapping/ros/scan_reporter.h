@@ -8,7 +8,8 @@
 
 namespace atom_mapping {
 
-// Tells what became of each cloud: ~scan_report and /diagnostics of those that were mapped, the log of the others.
+// Tells what became of each cloud: ~scan_report and /diagnostics of those that were mapped, the log of the others
+// and of those that found the map full.
 // Thread safety: report may be called from any thread.
 class ScanReporter {
  public:

@@ -1,12 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 #include <utility>
 
+#include "atom_mapping/base/keep_memory.h"
 #include "atom_mapping/map/mapper.h"
 #include "atom_mapping/ros/cloud_server.h"
 
 namespace atom_mapping {
+
+// What limits/ did, in atoms, since the node started.
+struct LimitCounts {
+  std::uint64_t refused = 0;
+  std::uint64_t forgotten = 0;
+  bool is_full = false;  // the last scan found no room
+};
 
 // Clouds and transforms in, atom map out: what the node and the offline tool share.
 class ScanServer : public CloudServer {
@@ -28,14 +37,21 @@ class ScanServer : public CloudServer {
     return mapper_.read(std::forward<F>(f));
   }
 
+  LimitCounts limitCounts() const;
+
   const atom_map::Mapper& mapper() const { return mapper_; }
   const atom_map::MappingParameters& parameters() const { return mapper_.parameters(); }
 
  private:
   atom_map::ScanReport insertScan(const atom_map::LidarScan& scan, const atom_map::Pose& sensor) override;
 
+  void noteLimits(const atom_map::ScanReport& report);
+
   atom_map::Mapper mapper_;
   mutable std::mutex reading_;
+  mutable std::mutex limits_mutex_;  // of what follows
+  LimitCounts limits_;
+  atom_map::FallWatch fall_;
 };
 
 }  // namespace atom_mapping
