@@ -8,6 +8,7 @@
 #include "atom_mapping/baseline/export_map.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
+#include "atom_mapping/ros/check_request.h"
 #include "atom_mapping/ros/frame_name.h"
 #include "atom_mapping/ros/map_snapshot.h"
 
@@ -15,11 +16,6 @@ namespace atom_mapping {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string absolute(const std::string& file) {
-  if (file.empty()) throw std::runtime_error("file is empty; name one, such as /tmp/map.h5");
-  return fs::absolute(file).string();
-}
 
 bool isMapFile(const std::string& file) {
   return fs::path(file).extension() == ".h5";
@@ -90,7 +86,7 @@ MapStorage::MapStorage(ScanServer& server, const StorageParameters& parameters)
     : server_(server), parameters_(parameters) {
   const bool begins_anew = parameters_.load == parameters_.autosave && !fs::exists(parameters_.load);
   try {
-    if (!parameters_.load.empty() && !begins_anew) loadFrom(absolute(parameters_.load));
+    if (!parameters_.load.empty() && !begins_anew) loadFrom(checkedFile(parameters_.load));
     if (!parameters_.autosave.empty()) checkAutosave(parameters_.autosave);
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(std::string("storage: ") + error.what());
@@ -112,14 +108,14 @@ MapStorage::~MapStorage() {
 
 MapFile::Response MapStorage::save(const MapFile::Request& request) {
   return answered([&] {
-    const std::string file = absolute(request.file);
+    const std::string file = checkedFile(request.file);
     checkEnding(file);
     return isMapFile(file) ? saveTo(file) : exportTo(file);
   });
 }
 
 MapFile::Response MapStorage::load(const MapFile::Request& request) {
-  return answered([&] { return loadFrom(absolute(request.file)); });
+  return answered([&] { return loadFrom(checkedFile(request.file)); });
 }
 
 MapFile::Response MapStorage::saveTo(const std::string& file) {
@@ -159,7 +155,7 @@ void MapStorage::autosave() {
   const std::uint64_t revision = server_.revision();
   if (revision == saved_revision_) return;
   try {
-    saveTo(absolute(parameters_.autosave));
+    saveTo(checkedFile(parameters_.autosave));
     saved_revision_ = revision;
   } catch (const std::runtime_error& error) {
     log_.warn("autosave", std::string("The map is not saved: ") + error.what());
