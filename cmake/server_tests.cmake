@@ -10,7 +10,7 @@ foreach(name answer_request check_request cloud_conversion cloud_server header_f
   list(APPEND server_sources src/ros/${name}.cpp)
 endforeach()
 add_library(server_under_test STATIC ${server_sources})
-target_link_libraries(server_under_test PUBLIC atom_map_sim atom_map_io atom_map ${catkin_LIBRARIES})
+target_link_libraries(server_under_test PUBLIC atom_map_sim atom_map_baseline atom_map_io atom_map ${catkin_LIBRARIES})
 
 file(GLOB server_tests CONFIGURE_DEPENDS test/ros/*_concurrency_test.cpp)
 foreach(source ${server_tests})

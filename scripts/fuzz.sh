@@ -25,7 +25,7 @@ for name in "${names[@]}"; do
   mkdir -p "$build/found/$name" "$build/corpus/$name"
   # What a file claims must not take more memory or time than it can be worth.
   "$build/${name}_fuzz" "$build/corpus/$name" "$repository/fuzz/corpus/$name" -max_total_time="$seconds" -max_len=24576 \
-    -timeout=90 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$build/found/$name/" 2>"$build/$name.log" ||
+    -timeout=90 -report_slow_units=90 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$build/found/$name/" 2>"$build/$name.log" ||
     { tail -n 60 "$build/$name.log"; echo "$name: a finding, in $build/found/$name"; exit 1; }
   grep -E '^stat::number_of_executed_units|^Done' "$build/$name.log"
 done

@@ -1,22 +1,23 @@
 // Maps a bag at full speed, as atom_mapping_node would map it live. Needs no roscore.
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "atom_mapping/apps/run_program.h"
-#include "atom_mapping/baseline/export_octree.h"
-#include "atom_mapping/io/export_atoms.h"
+#include "atom_mapping/baseline/export_map.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
+#include "atom_mapping/io/write_mesh.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/bag_summary.h"
 #include "atom_mapping/ros/insert_bag.h"
 #include "atom_mapping/ros/read_parameters.h"
 #include "atom_mapping/ros/scan_server.h"
+#include "atom_mapping/surface/extract_surface.h"
 
 namespace {
 
@@ -34,6 +35,8 @@ struct Options {
   std::optional<std::size_t> scans;
   std::string save;
   std::vector<std::string> exports;
+  std::string surface;
+  float surface_resolution = 0.0F;  // m; 0: the radius
 };
 
 void addOptions(CLI::App& app, Options& options) {
@@ -46,6 +49,8 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--save", options.save, "Write the map to a file that the node, map_info and HDF5's tools read (.h5)");
   app.add_option("--export", options.exports,
                  "Write the atoms to a .ply, .pcd or .csv, or the space to OctoMap's .bt; may be given several times");
+  app.add_option("--surface", options.surface, "Write the implicit surface, with its variance, to a .ply");
+  app.add_option("--surface-resolution", options.surface_resolution, "Side of its cells, metres (the atoms' radius)");
 }
 
 atom_map::MappingParameters makeParameters(const Options& options) {
@@ -63,17 +68,35 @@ std::string explain(const BagReader& bag, const ScanServer& server, const BagSum
   return "nothing was mapped" + (lacks_transforms ? frames : "") + ": " + summary.firstDrop();
 }
 
-bool isOctree(const std::string& file) {
-  return std::filesystem::path(file).extension() == ".bt";
+// Before hours of mapping.
+void checkOutputs(const Options& options, double radius) {
+  if (!options.save.empty()) atom_map::checkWritable(options.save);
+  for (const std::string& file : options.exports) atom_map::checkMapExport(file);
+  if (!options.surface.empty()) atom_map::checkMeshFile(options.surface);
+  atom_map::surfaceSpacing(static_cast<float>(radius), options.surface_resolution);
+}
+
+void writeSurface(const atom_map::AtomMap& map, const ScanServer& server, const Options& options) {
+  atom_map::SurfaceRequest request;
+  request.resolution = options.surface_resolution;
+  request.threads = std::max(1U, std::thread::hardware_concurrency());
+  const atom_map::SurfaceMesh mesh = atom_map::extractSurface(map, server.parameters(), request);
+  atom_map::writeMesh(mesh, options.surface);
+  std::cout << "surface           " << mesh.triangles.size() << " triangles\n";
+}
+
+void writeFiles(const ScanServer& server, const Options& options) {
+  if (!options.save.empty()) atom_map::saveMap(atom_map::copyMap(server.mapper()), options.save);
+  server.read([&](const atom_map::AtomMap& map) {
+    for (const std::string& file : options.exports) atom_map::exportMap(map, file);
+    if (!options.surface.empty()) writeSurface(map, server, options);
+  });
 }
 
 void run(const Options& options) {
   using Clock = std::chrono::steady_clock;
   ScanServer server(makeParameters(options));
-  if (!options.save.empty()) atom_map::checkWritable(options.save);
-  for (const std::string& file : options.exports) {
-    isOctree(file) ? atom_map::checkWritable(file) : atom_map::checkExportFile(file);
-  }
+  checkOutputs(options, server.parameters().radius);
   BagReader bag(options.bag, options.cloud_topic);
   if (!bag.hasTransforms()) throw BadBag(options.bag + " holds no tf: record /tf and /tf_static beside the clouds");
   if (bag.clouds() == 0) throw BadBag(options.bag + " holds not one cloud on " + bag.cloudTopic());
@@ -84,11 +107,7 @@ void run(const Options& options) {
   std::cout << options.bag << ", " << bag.cloudTopic() << "\n";
   summary.print(std::chrono::duration<double>(Clock::now() - start).count(), std::cout);
   if (summary.mapped() == 0) throw BadBag(explain(bag, server, summary));
-  if (!options.save.empty()) atom_map::saveMap(atom_map::copyMap(server.mapper()), options.save);
-  for (const std::string& file : options.exports) {
-    const auto write = isOctree(file) ? atom_map::exportOctree : atom_map::exportAtoms;
-    server.mapper().read([&](const atom_map::AtomMap& map) { write(map, file); });
-  }
+  writeFiles(server, options);
 }
 
 }  // namespace

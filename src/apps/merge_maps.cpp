@@ -1,4 +1,4 @@
-// merge_maps A.h5 B.h5 --out C.h5: two robots' maps, or two days', made one. Occupancy mode.
+// merge_maps A.h5 B.h5 --out C.h5: two robots' maps, or two days', made one.
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <iostream>
@@ -8,7 +8,7 @@
 #include "atom_mapping/base/angles.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
-#include "atom_mapping/map/combine_maps.h"
+#include "atom_mapping/query/combine_maps.h"
 
 namespace {
 
@@ -24,8 +24,9 @@ atom_map::Pose toPose(const std::vector<double>& t) {
 }
 
 void checkAlike(const LoadedMap& a, const LoadedMap& b) {
-  if (a.map.mode() != atom_map::Mode::kOccupancy || b.map.mode() != atom_map::Mode::kOccupancy) {
-    throw std::runtime_error("a map in signed distance mode cannot be merged; name two in occupancy mode");
+  if (a.map.mode() != b.map.mode()) {
+    throw std::runtime_error(
+        "one map is in occupancy mode and the other in signed distance mode; name two of one mode");
   }
   if (a.map.radius() == b.map.radius()) return;
   throw std::runtime_error("their radii are " + std::to_string(a.map.radius()) + " m and " +
@@ -37,8 +38,7 @@ void merge(const std::string& a_file, const std::string& b_file, const atom_map:
   LoadedMap a = atom_map::loadMap(a_file);
   const LoadedMap b = atom_map::loadMap(b_file);
   checkAlike(a, b);
-  const atom_map::MergeReport report =
-      atom_map::mergeInto(a.map, atom_map::transformed(b.map, b_to_a), a.parameters.occupancy);
+  const atom_map::MergeReport report = atom_map::mergeInto(a.map, atom_map::transformed(b.map, b_to_a), a.parameters);
   std::cout << out << ": " << a.map.atoms().size() << " atoms, " << report.inserted << " of them from " << b_file
             << ", " << report.updates << " updates\n";
   atom_map::Mapper mapper(a.parameters);

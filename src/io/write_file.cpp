@@ -50,7 +50,11 @@ void writeFile(const std::string& file, const std::function<void(std::ostream&)>
 
 void checkWritable(const std::string& file) {
   const fs::path folder = fs::absolute(file).parent_path();
-  if (fs::is_directory(file)) fail(file, EISDIR);
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::none) fail(file, error.value());
+  if (fs::is_directory(status)) fail(file, EISDIR);
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(file, ENOTDIR);
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, errno);
 }
 

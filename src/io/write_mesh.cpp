@@ -26,10 +26,15 @@ void writeHeader(const SurfaceMesh& mesh, std::ostream& out) {
 
 }  // namespace
 
-void writeMesh(const SurfaceMesh& mesh, const std::string& file) {
+void checkMeshFile(const std::string& file) {
   if (std::filesystem::path(file).extension() != ".ply") {
     throw std::invalid_argument("cannot write a mesh to " + file + ": name a file that ends in .ply");
   }
+  checkWritable(file);
+}
+
+void writeMesh(const SurfaceMesh& mesh, const std::string& file) {
+  checkMeshFile(file);
   const std::vector<float> brightness = brightnessOf(mesh.variance);
   writeFile(file, [&](std::ostream& out) {
     writeHeader(mesh, out);

@@ -19,19 +19,30 @@ DistanceMerge::DistanceMerge(AtomMap& map, const SignedDistanceParameters& param
 
 void DistanceMerge::add(const DistanceCandidate* begin, const DistanceCandidate* end) {
   vicinity_.forget();
-  std::for_each(begin, end, [this](const DistanceCandidate& candidate) { add(candidate); });
+  std::for_each(begin, end, [this](const DistanceCandidate& candidate) {
+    add(candidate, [&](float overlap) {
+      return candidate.distance * candidate.distance / (xi_ + overlap);  // Eq. (9)
+    });
+  });
 }
 
-void DistanceMerge::add(const DistanceCandidate& candidate) {
-  const auto variance = [&](float overlap) {
-    return candidate.distance * candidate.distance / (xi_ + overlap);  // Eq. (9)
-  };
+void DistanceMerge::add(const ToldDistance* begin, const ToldDistance* end) {
+  vicinity_.forget();
+  std::for_each(begin, end, [this](const ToldDistance& atom) {
+    add(atom, [&](float overlap) { return atom.variance / overlap; });
+  });
+}
+
+// `variance` of what it tells of an atom, by their overlap.
+template <class Variance>
+void DistanceMerge::add(const DistanceCandidate& candidate, const Variance& variance) {
   bool overlaps = false;
   vicinity_.forEachWithin(candidate.center, [&](AtomRef atom, float squared_distance) {
     overlaps = true;
     const float overlap = overlapFraction(std::sqrt(squared_distance) / diameter_);
     const float told = candidate.distance + candidate.normal.dot(atom.center() - candidate.center);
-    const float gain = atom.value(1) / (variance(overlap) + atom.value(1));
+    const float sum = variance(overlap) + atom.value(1);
+    const float gain = sum > 0.0F ? atom.value(1) / sum : 0.0F;
     atom.value(0) += gain * (told - atom.value(0));  // Eq. (10)
     atom.value(1) *= 1.0F - gain;                    // Eq. (11)
     ++report_.updates;

@@ -8,6 +8,10 @@ namespace {
 // Memory is made ready, page by page, before the map is held: that takes longer than to copy.
 constexpr std::size_t kGrowth = 50000;  // atoms that may come meanwhile
 
+std::size_t columnsOf(Mode mode) {
+  return mode == Mode::kOccupancy ? 4 : 5;
+}
+
 void copyAtoms(const AtomTree& atoms, std::size_t column_count, MapCopy& copy) {
   for (std::size_t c = 0; c < column_count; ++c) copy.columns[c].resize(std::max(copy.size(), atoms.size()));
   std::array<float*, 5> at{};
@@ -17,21 +21,21 @@ void copyAtoms(const AtomTree& atoms, std::size_t column_count, MapCopy& copy) {
       at[c] = std::copy_n(block.channel(static_cast<int>(c)), block.size(), at[c]);
     }
   });
-  for (std::size_t c = 0; c < column_count; ++c) copy.columns[c].resize(atoms.size());
+  for (std::size_t c = 0; c < copy.columns.size(); ++c) copy.columns[c].resize(c < column_count ? atoms.size() : 0);
 }
 
 }  // namespace
 
 MapCopy copyMap(const Mapper& mapper) {
   MapCopy copy;
-  copy.parameters = mapper.parameters();
-  const std::size_t column_count = copy.parameters.mode == Mode::kOccupancy ? 4 : 5;
   const std::size_t expected = kGrowth + mapper.read([](const AtomMap& map) { return map.atoms().size(); });
-  for (std::size_t c = 0; c < column_count; ++c) copy.columns[c].resize(expected);
+  const std::size_t likely = columnsOf(mapper.parameters().mode);
+  for (std::size_t c = 0; c < likely; ++c) copy.columns[c].resize(expected);
   mapper.readBetweenScans([&](const AtomMap& map, std::uint64_t scans) {
+    copy.parameters = mapper.parameters();
     copy.scans = scans;
     copy.origin = map.origin();
-    copyAtoms(map.atoms(), column_count, copy);
+    copyAtoms(map.atoms(), columnsOf(map.mode()), copy);
   });
   return copy;
 }

@@ -131,6 +131,22 @@ void Mapper::replace(AtomMap map, std::uint64_t scans) {
   scans_ = scans;
 }
 
+bool Mapper::adopt(AtomMap map, double radius, std::uint64_t scans) {
+  assert(map.radius() == static_cast<float>(radius));
+  const std::lock_guard scan_lock(scan_mutex_);
+  const bool adopted = write([&](AtomMap& mine) {
+    const bool is_alike = map.mode() == parameters_.mode && radius == parameters_.radius;
+    if (mine.atoms().size() > 0 && !is_alike) return false;
+    std::swap(mine, map);
+    const std::lock_guard lock(parameters_mutex_);
+    parameters_.mode = mine.mode();
+    parameters_.radius = radius;
+    return true;
+  });
+  if (adopted) scans_ = scans;
+  return adopted;
+}
+
 void Mapper::reset() {
   const std::lock_guard scan_lock(scan_mutex_);
   write([](AtomMap& map) { map.reset(); });

@@ -1,6 +1,7 @@
 #include "atom_mapping/ros/check_request.h"
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "atom_mapping/ros/pose_conversion.h"
@@ -48,6 +49,12 @@ float checkedSphere(const std::string& where, float radius, float largest, bool 
     refuse(where, " is ", radius, " m; it must be at most ", largest, " m, unless unknown_is_free is set");
   }
   return radius;
+}
+
+std::string checkedFile(const std::string& file) {
+  if (file.empty()) refuse("file is empty; name one, such as /tmp/map.h5");
+  if (file.find('\0') != std::string::npos) refuse("file holds a zero byte; name one without");
+  return std::filesystem::absolute(file).string();
 }
 
 void checkSize(const char* array, std::size_t size, std::size_t max_points) {

@@ -37,8 +37,8 @@ void thinOut(std::vector<Atom>& atoms, std::size_t count) {
 class ColorScale {
  public:
   ColorScale(const MapSnapshot& map, const std::vector<Atom>& atoms, AtomColor color)
-      : color_(color), radius_(map.radius) {
-    if (color != AtomColor::kHeight || atoms.empty()) return;
+      : color_(isKnown(map.mode, color) ? color : AtomColor::kHeight), radius_(map.radius) {
+    if (color_ != AtomColor::kHeight || atoms.empty()) return;
     std::vector<float> heights;
     for (const Atom& atom : atoms) heights.push_back(atom.center.z());
     low_ = quantile(heights, kTail);
@@ -58,6 +58,11 @@ class ColorScale {
   }
 
  private:
+  // A map of another mode than the node was started with may have been loaded.
+  static bool isKnown(atom_map::Mode mode, AtomColor color) {
+    return color != (mode == atom_map::Mode::kOccupancy ? AtomColor::kDistance : AtomColor::kOccupancy);
+  }
+
   static float quantile(std::vector<float>& values, double share) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());

@@ -31,8 +31,9 @@ void describeMap(const ScanServer& server, diagnostic_updater::DiagnosticStatusW
   status.add("bytes", bytes);
   status.add("atoms refused", limits.refused);
   status.add("atoms forgotten", limits.forgotten);
-  status.add("radius (m)", server.parameters().radius);
-  status.add("mode", toString(server.parameters().mode));
+  const atom_map::MappingParameters parameters = server.parameters();
+  status.add("radius (m)", parameters.radius);
+  status.add("mode", toString(parameters.mode));
 }
 
 void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticStatusWrapper& status) {

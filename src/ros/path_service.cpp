@@ -74,7 +74,7 @@ void PathService::fill(const PlanPath::Request& request, PlanPath::Response& res
 PlanPath::Request PathService::requestFor(const geometry_msgs::PoseStamped& goal) const {
   const auto sensor = server_.sensorPose();
   if (!sensor) throw Refusal("the goal has no start: no cloud has been mapped yet; wait for the first");
-  const auto& parameters = server_.parameters().planning;
+  const auto parameters = server_.parameters().planning;
   PlanPath::Request request;
   request.start.pose.position.x = sensor->translation().x();
   request.start.pose.position.y = sensor->translation().y();

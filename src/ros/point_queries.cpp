@@ -22,6 +22,11 @@ float probabilityOf(const AtomMap& map, std::optional<float> value) {
   return atom_map::classify(value) == atom_map::Occupancy::kOccupied ? 1.0F : 0.0F;
 }
 
+void checkStoresDistances(atom_map::Mode mode) {
+  if (mode == atom_map::Mode::kSignedDistance) return;
+  throw Refusal("the map is in occupancy mode; start the node with mode: signed_distance to ask for distances");
+}
+
 }  // namespace
 
 void MapQueries::fill(const QueryOccupancy::Request& request, QueryOccupancy::Response& response) const {
@@ -34,13 +39,12 @@ void MapQueries::fill(const QueryOccupancy::Request& request, QueryOccupancy::Re
 }
 
 void MapQueries::fill(const QuerySignedDistance::Request& request, QuerySignedDistance::Response& response) const {
-  if (server_.parameters().mode != atom_map::Mode::kSignedDistance) {
-    throw Refusal("the map is in occupancy mode; start the node with mode: signed_distance to ask for distances");
-  }
+  checkStoresDistances(server_.parameters().mode);
   const atom_map::Pose to_map = toMap(request.frame_id);
   const auto points = checkedPoints(request.points, to_map);
   const Eigen::Matrix3f to_frame = to_map.linear().transpose().cast<float>();
-  forEachPoint<atom_map::GaussianProcess>(points, [&](const AtomMap& /*map*/, const Vector3f& point, auto& process) {
+  forEachPoint<atom_map::GaussianProcess>(points, [&](const AtomMap& map, const Vector3f& point, auto& process) {
+    checkStoresDistances(map.mode());  // another may have been loaded meanwhile
     const auto estimate = process.estimate(point);
     const Vector3f gradient = estimate ? Vector3f(to_frame * estimate->gradient) : Vector3f::Zero();
     response.known.push_back(static_cast<std::uint8_t>(estimate.has_value()));

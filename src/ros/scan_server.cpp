@@ -19,11 +19,12 @@ void ScanServer::reset() {
   noteChange();
 }
 
-void ScanServer::replace(atom_map::AtomMap map, std::uint64_t scans) {
-  mapper_.replace(std::move(map), scans);
+bool ScanServer::adopt(atom_map::AtomMap map, double radius, std::uint64_t scans) {
+  if (!mapper_.adopt(std::move(map), radius, scans)) return false;
   noteLimits({});
   restartTime();
   noteChange();
+  return true;
 }
 
 atom_map::ScanReport ScanServer::insertScan(const atom_map::LidarScan& scan, const atom_map::Pose& sensor) {

@@ -59,6 +59,8 @@ ExtractSurface::Response SurfaceService::answer(const ExtractSurface::Request& r
 }
 
 void SurfaceService::fill(const ExtractSurface::Request& request, ExtractSurface::Response& response) {
+  const std::string file = request.file.empty() ? "" : checkedFile(request.file);
+  if (!file.empty()) atom_map::checkMeshFile(file);
   atom_map::SurfaceRequest wanted;
   wanted.box = checkedBox(request.min, request.max);
   wanted.resolution = checkedLength("resolution", request.resolution);
@@ -72,7 +74,7 @@ void SurfaceService::fill(const ExtractSurface::Request& request, ExtractSurface
   };
   const MapSnapshot snapshot = takeSnapshot(server_);
   const atom_map::SurfaceMesh mesh = atom_map::extractSurface(toAtomMap(snapshot), server_.parameters(), wanted);
-  if (!request.file.empty()) atom_map::writeMesh(mesh, request.file);
+  if (!file.empty()) atom_map::writeMesh(mesh, file);
   response.mesh = toMesh(mesh);
   response.variance = mesh.variance;
   std_msgs::Header header;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include "atom_mapping/base/parallel.h"
 #include "atom_mapping/query/gaussian_process.h"
@@ -58,12 +58,18 @@ SurfaceMesh cutUnsure(const SurfaceMesh& mesh, const std::vector<float>& deviati
 
 }  // namespace
 
+float surfaceSpacing(float radius, float resolution) {
+  if (resolution == 0.0F) return radius;
+  const float finest = radius / 1000.0F;
+  if (resolution >= finest && std::isfinite(resolution)) return resolution;
+  std::ostringstream text;
+  text << "resolution is " << resolution << " m; it must be positive and at least " << finest
+       << " m, a thousandth of an atom's radius, or 0 for the radius";
+  throw std::invalid_argument(text.str());
+}
+
 SurfaceMesh extractSurface(const AtomMap& map, const MappingParameters& parameters, const SurfaceRequest& request) {
-  const float spacing = request.resolution == 0.0F ? map.radius() : request.resolution;
-  if (!(spacing > 0.0F) || !std::isfinite(spacing)) {
-    throw std::invalid_argument("resolution is " + std::to_string(spacing) +
-                                " m; it must be positive, or 0 for an atom's radius");
-  }
+  const float spacing = surfaceSpacing(map.radius(), request.resolution);
   const SampledSurface surface = followSurface(map, parameters.gaussian_process, spacing, request);
   SurfaceMesh mesh = marchingCubes(surface.lattice, surface.cells, surface.values);
   mesh.origin = map.origin();

@@ -18,6 +18,10 @@ using Eigen::Vector3f;
 // Choice: from its centre an occupied atom looks this far for the free one that the surface parts it from.
 constexpr float kSeedReach = 4.0F;  // radii
 
+// Cells that are looked at for each that the surface passes, at most: on a surface of little area in very fine cells, the
+// ways between atoms would fill the memory before the first is known to be passed.
+constexpr std::size_t kTakenPerPassed = 8;
+
 class SurfaceSearch {
  public:
   SurfaceSearch(const AtomMap& map, const GaussianProcessParameters& parameters, float spacing,
@@ -78,16 +82,19 @@ class SurfaceSearch {
         for (const int step : {-1, 1}) take(cell.index + step * LatticeIndex::Unit(axis), next);
       }
     }
-    if (found_.cells.size() > request_.max_cells) {
-      throw std::invalid_argument("the surface passes more than " + std::to_string(request_.max_cells) +
-                                  " cells; ask for a smaller box or a coarser resolution");
-    }
+    if (found_.cells.size() > request_.max_cells) throwTooMany();
     return next;
   }
 
   void take(const LatticeIndex& cell, std::vector<LatticeIndex>& cells) {
     if (!request_.box.isEmpty() && !request_.box.contains(map_.toMap(found_.lattice.center(cell)))) return;
     if (taken_.insert(cell).second) cells.push_back(cell);
+    if (taken_.size() / kTakenPerPassed > request_.max_cells) throwTooMany();
+  }
+
+  [[noreturn]] void throwTooMany() const {
+    throw std::invalid_argument("the surface passes more than " + std::to_string(request_.max_cells) +
+                                " cells; ask for a smaller box or a coarser resolution");
   }
 
   void evaluateNewNodes() {

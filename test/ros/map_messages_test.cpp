@@ -65,6 +65,18 @@ TEST(MapMessages, HeightsAndOccupancyGiveColors) {
   EXPECT_GT(high.r, high.b);
 }
 
+// As where a map of another mode than the node was started with was loaded.
+TEST(MapMessages, AColorThatTheMapsModeDoesNotKnowIsThatOfTheHeight) {
+  PublishParameters distance;
+  distance.color = AtomColor::kDistance;
+  const auto redsOf = [](const Marker& marker) {
+    std::vector<float> reds;
+    for (const auto& c : marker.colors) reds.push_back(c.r);
+    return reds;
+  };
+  EXPECT_EQ(redsOf(toOccupiedMarker(makeMap(), distance)), redsOf(toOccupiedMarker(makeMap(), PublishParameters())));
+}
+
 TEST(MapMessages, NoAtomsDeleteTheMarker) {
   MapSnapshot map = makeMap();
   map.atoms.clear();

@@ -3,13 +3,18 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "atom_mapping/baseline/export_map.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/map/map_limit.h"
+#include "atom_mapping/ros/map_queries.h"
+#include "atom_mapping/ros/map_snapshot.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
@@ -118,11 +123,79 @@ TEST_F(MapStorageTest, AMapOfAnotherKindIsRefusedWithTheRemedy) {
   mapScans(server_, 0, 1);
   atom_map::MappingParameters other = coarse();
   other.radius = 0.25;
-  expectRefused(storage, saveOther(other),
-                "its radius is 0.25 and this node's is 0.5; load another map, or start the node with radius 0.25");
+  expectRefused(
+      storage, saveOther(other),
+      "its radius is 0.25 and this node's is 0.5; load another map, or start the node with radius 0.25, or call "
+      "~reset first");
   other = coarse();
   other.mode = atom_map::Mode::kSignedDistance;
+  const std::vector<float> before = bitsOf(server_);
   expectRefused(storage, saveOther(other), "its mode is signed_distance and this node's is occupancy; load another");
+  EXPECT_EQ(bitsOf(server_), before);
+  EXPECT_EQ(server_.parameters().mode, atom_map::Mode::kOccupancy);
+  server_.reset();
+  EXPECT_TRUE(storage.load(at(path("other.h5"))).success) << "the remedy";
+}
+
+// Of points around where the sensor was.
+QuerySignedDistance::Response distancesIn(ScanServer& server, const Eigen::Vector3d& sensor) {
+  QuerySignedDistance::Request request;
+  for (int i = 0; i < 2000; ++i) {
+    geometry_msgs::Point point;
+    point.x = sensor.x() + 0.005 * i * std::cos(i);
+    point.y = sensor.y() + 0.005 * i * std::sin(i);
+    point.z = sensor.z() - 1.0 + 0.001 * i;
+    request.points.push_back(point);
+  }
+  const tf2::BufferCore transforms;
+  return MapQueries(server, transforms, {}).answer(request);
+}
+
+TEST_F(MapStorageTest, AnEmptyMapTakesOverModeAndRadiusOfTheFile) {
+  atom_map::MappingParameters other = coarse();
+  other.mode = atom_map::Mode::kSignedDistance;
+  ScanServer first(other);
+  mapScans(first, 0, 2);
+  ASSERT_TRUE(MapStorage(first, {}).save(at(path("map.h5"))).success);
+  atom_map::MappingParameters small = coarse();
+  small.radius = 0.25;
+  ScanServer second(small);
+  EXPECT_FALSE(distancesIn(second, drive_.pose(0).translation()).success);
+  MapStorage storage(second, {});
+  const auto loaded = storage.load(at(path("map.h5")));
+  ASSERT_TRUE(loaded.success) << loaded.message;
+  EXPECT_NE(loaded.message.find("from now on: signed_distance, 0.5 m"), std::string::npos) << loaded.message;
+  EXPECT_EQ(bitsOf(second), bitsOf(first));
+
+  const auto expected = distancesIn(first, drive_.pose(0).translation());
+  const auto answer = distancesIn(second, drive_.pose(0).translation());
+  ASSERT_TRUE(answer.success) << answer.message;
+  EXPECT_GT(std::count(answer.known.begin(), answer.known.end(), 1), 100);
+  EXPECT_EQ(answer.known, expected.known);
+  EXPECT_EQ(answer.distance, expected.distance);
+  EXPECT_EQ(answer.variance, expected.variance);
+  EXPECT_EQ(takeSnapshot(second).radius, 0.5F);
+  EXPECT_EQ(takeSnapshot(second).mode, atom_map::Mode::kSignedDistance);
+
+  mapScans(first, 2, 3);
+  mapScans(second, 2, 3);
+  EXPECT_EQ(bitsOf(second), bitsOf(first)) << "mapping goes on in the file's mode and radius";
+  ASSERT_TRUE(storage.save(at(path("again.h5"))).success);
+  EXPECT_EQ(atom_map::loadMap(path("again.h5")).parameters.radius, 0.5);
+}
+
+TEST_F(MapStorageTest, AMapToStartFromGivesTheNodeItsModeAndRadius) {
+  atom_map::MappingParameters other = coarse();
+  other.mode = atom_map::Mode::kSignedDistance;
+  other.radius = 0.4;  // which no float holds
+  const StorageParameters parameters{saveOther(other), path("left.h5"), 1e6};
+  {
+    const MapStorage storage(server_, parameters);
+    EXPECT_EQ(server_.parameters().mode, atom_map::Mode::kSignedDistance);
+    EXPECT_EQ(server_.parameters().radius, 0.4);
+    server_.clearRegion({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+  }
+  EXPECT_EQ(contents(path("left.h5")), contents(path("other.h5")));
 }
 
 TEST_F(MapStorageTest, AMapInAnotherFrameIsRefusedAndASlashIsNone) {
@@ -195,6 +268,37 @@ TEST_F(MapStorageTest, AFileThatIsNotThereOrDamagedIsRefusedAndTheMapStays) {
   EXPECT_EQ(bitsOf(server_), before);
 }
 
+TEST_F(MapStorageTest, OtherEndingsExportTheAtomsAsTheOfflineToolDoes) {
+  for (const auto mode : {atom_map::Mode::kOccupancy, atom_map::Mode::kSignedDistance}) {
+    atom_map::MappingParameters parameters = coarse();
+    parameters.mode = mode;
+    ScanServer server(parameters);
+    mapScans(server, 0, 2);
+    MapStorage storage(server, {});
+    for (const char* ending : {".ply", ".pcd", ".csv", ".bt"}) {
+      const auto saved = storage.save(at(path(std::string("a") + ending)));
+      ASSERT_TRUE(saved.success) << saved.message;
+      EXPECT_EQ(saved.atoms, server.read([](const AtomMap& map) { return map.atoms().size(); }));
+      EXPECT_EQ(saved.message, "exported " + std::to_string(saved.atoms) + " atoms");
+      server.read([&](const AtomMap& map) { atom_map::exportMap(map, path(std::string("b") + ending)); });
+      EXPECT_EQ(contents(path(std::string("a") + ending)), contents(path(std::string("b") + ending)));
+      EXPECT_FALSE(storage.load(at(path(std::string("a") + ending))).success) << "atoms alone are no map";
+    }
+  }
+}
+
+TEST_F(MapStorageTest, AnUnknownEndingIsRefusedWithThoseThereAre) {
+  MapStorage storage(server_, {});
+  for (const char* name : {"map", "map.obj", "map.h5.bak", ".h5", "map.H5"}) {
+    const auto response = storage.save(at(path(name)));
+    EXPECT_FALSE(response.success) << name;
+    EXPECT_EQ(response.message, "cannot save to " + path(name) +
+                                    ": name a file that ends in .h5 for the map, in .ply, .pcd or .csv for its atoms, "
+                                    "or in .bt for an OctoMap");
+    EXPECT_FALSE(fs::exists(path(name)));
+  }
+}
+
 TEST_F(MapStorageTest, AFileThatCannotBeWrittenIsReported) {
   MapStorage storage(server_, {});
   const auto response = storage.save(at(path("none/map.h5")));
@@ -216,6 +320,8 @@ TEST_F(MapStorageTest, AMapToStartFromThatCannotBeLoadedStopsTheStart) {
             "storage: cannot load " + path("none.h5") + ": No such file or directory");
   EXPECT_EQ(messageOf({"", path("none/map.h5"), 60.0}),
             "storage: cannot write " + path("none/map.h5") + ": No such file or directory");
+  EXPECT_EQ(messageOf({"", path("map.ply"), 60.0}),
+            "storage: autosave is " + path("map.ply") + "; name a file that ends in .h5");
   EXPECT_EQ(messageOf({path("map.h5"), path("map.h5"), 60.0}), "") << "the first start of a map that is to last";
 }
 

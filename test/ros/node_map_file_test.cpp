@@ -25,13 +25,14 @@ MapFile::Request at(const std::string& file) {
   return request;
 }
 
-// A node beside the one under test, named `second`, that starts from a map and leaves one.
+// A node beside the one under test, named `second`, that starts from a map, whatever its own radius, and leaves one.
 class SecondNode {
  public:
-  SecondNode(const std::string& load, const std::string& autosave) : process_(fork()) {
+  SecondNode(const std::string& load, const std::string& autosave, const std::string& radius = "0.5")
+      : process_(fork()) {
     if (process_ != 0) return;
     const std::string program = (fs::read_symlink("/proc/self/exe").parent_path() / "atom_mapping_node").string();
-    execl(program.c_str(), program.c_str(), "__name:=second", "cloud_in:=/nothing", "_radius:=0.5",
+    execl(program.c_str(), program.c_str(), "__name:=second", "cloud_in:=/nothing", ("_radius:=" + radius).c_str(),
           ("_storage/load:=" + load).c_str(), ("_storage/autosave:=" + autosave).c_str(), nullptr);
     _exit(127);
   }
@@ -95,15 +96,17 @@ TEST_F(NodeMapFile, AMapOutlivesResetAndItsNode) {
   EXPECT_EQ(loaded.atoms, saved.atoms);
   EXPECT_EQ(ask("/atom_mapping/query_occupancy").probability, before.probability);
 
-  for (const int signal : {SIGINT, SIGTERM}) {
-    SecondNode second(path("map.h5"), path("left.h5"));
+  for (const auto& [signal, radius] : {std::make_pair(SIGINT, "0.5"), std::make_pair(SIGTERM, "0.25")}) {
+    SecondNode second(path("map.h5"), path("left.h5"), radius);
     EXPECT_EQ(ask("/second/query_occupancy").probability, before.probability);
     ros::service::call("/second/reset", *std::make_unique<std_srvs::Trigger>());
     MapFile again;
     again.request.file = path("map.h5");
     EXPECT_TRUE(ros::service::call("/second/load_map", again));
     EXPECT_EQ(second.end(signal), 0);
-    EXPECT_EQ(atom_map::loadMap(path("left.h5")).map.atoms().size(), saved.atoms);
+    const atom_map::LoadedMap left = atom_map::loadMap(path("left.h5"));
+    EXPECT_EQ(left.map.atoms().size(), saved.atoms);
+    EXPECT_EQ(left.parameters.radius, 0.5);
     fs::remove(path("left.h5"));
   }
 }

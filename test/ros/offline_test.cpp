@@ -13,8 +13,10 @@
 #include "atom_mapping/baseline/export_octree.h"
 #include "atom_mapping/io/export_atoms.h"
 #include "atom_mapping/io/map_file.h"
+#include "atom_mapping/io/write_mesh.h"
 #include "atom_mapping/ros/simulated_messages.h"
 #include "atom_mapping/sim/make_scene.h"
+#include "atom_mapping/surface/extract_surface.h"
 #include "program_runner.h"
 
 namespace atom_mapping {
@@ -125,6 +127,24 @@ TEST_F(Offline, SavesAMapThatHoldsWhatItExports) {
   EXPECT_EQ(contents(path("a.bt")), contents(path("b.bt")));
 }
 
+TEST_F(Offline, WritesTheSurfaceOfTheMapThatItSaves) {
+  const std::string bag = writeBag("five.bag", {});
+  for (const std::string mode : {"occupancy", "signed_distance"}) {
+    const ProgramResult result = run("--bag " + bag + " --mode " + mode + " --radius 0.1 --save " + path("map.h5") +
+                                     " --surface " + path("a.ply") + " --surface-resolution 0.08");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const atom_map::LoadedMap loaded = atom_map::loadMap(path("map.h5"));
+    atom_map::SurfaceRequest request;
+    request.resolution = 0.08F;
+    const auto mesh = atom_map::extractSurface(loaded.map, loaded.parameters, request);
+    EXPECT_GT(mesh.triangles.size(), 100U);
+    EXPECT_TRUE(contains(result.out, "surface           " + std::to_string(mesh.triangles.size()) + " triangles\n"));
+    atom_map::writeMesh(mesh, path("b.ply"));
+    EXPECT_TRUE(contents(path("a.ply")) == contents(path("b.ply")));
+    EXPECT_TRUE(contains(contents(path("a.ply")), "property float variance\n"));
+  }
+}
+
 TEST_F(Offline, TheSameBagGivesTheSameBytes) {
   const std::string bag = writeBag("five.bag", {});
   ASSERT_EQ(run("--bag " + bag + " --export " + path("a.ply")).exit_code, 0);
@@ -214,7 +234,12 @@ TEST_F(Offline, BadArgumentsAreRefused) {
   expectFault(bag + " --config " + path("none.yaml"), "cannot open --config " + path("none.yaml") + "\n");
   expectFault(bag + " --config " + writeText("bad.yaml", "radius: ["), "bad.yaml: ");
   expectFault(bag + " --config " + writeText("unknown.yaml", "raduis: 1"), "raduis is no parameter");
-  expectFault(bag + " --export " + path("map.obj"), "name a file that ends in .ply, .pcd or .csv\n");
+  expectFault(bag + " --export " + path("map.obj"), "name a file that ends in .ply, .pcd, .csv or .bt\n");
+  expectFault(bag + " --surface " + path("mesh.obj"), "name a file that ends in .ply\n");
+  expectFault(bag + " --surface " + path("none/mesh.ply"), "none/mesh.ply: No such file or directory\n");
+  for (const char* resolution : {"-1", "nan", "inf", "1e-9"}) {
+    expectFault(bag + " --surface " + path("mesh.ply") + " --surface-resolution " + resolution, "resolution is ");
+  }
   expectFault(bag + " --save " + path("none/map.h5"), "none/map.h5: No such file or directory\n");
   expectFault(bag + " --export " + path("none/map.ply"), "none/map.ply: No such file or directory\n");
   EXPECT_EQ(run("--help").exit_code, 0);

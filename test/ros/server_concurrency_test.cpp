@@ -143,5 +143,104 @@ TEST_F(ServerConcurrency, ClearsResetsAndLoadsComeBetweenScans) {
   EXPECT_NO_THROW(atom_map::loadMap(path("last.h5"))) << "atoms overlap, or hold what none can";
 }
 
+// Every atom that scans put in and regions took out is accounted for; a reset takes out all, and no call waits for ever.
+TEST_F(ServerConcurrency, RegionsAreClearedAndTheMapIsResetUnderLoad) {
+  const auto atoms = [&] { return server_.read([](const AtomMap& map) { return map.atoms().size(); }); };
+  const auto box_at = [&](int i) {
+    const Eigen::Vector3d sensor = drive_.pose(i % kClouds).translation();
+    ClearRegion::Request box;
+    box.min.x = sensor.x() - 4.0;
+    box.min.y = sensor.y() - 4.0;
+    box.min.z = sensor.z() - 4.0;
+    box.max.x = sensor.x() + 1.0 * (i % 5);
+    box.max.y = sensor.y() + 4.0;
+    box.max.z = sensor.z() + 4.0;
+    return box;
+  };
+  for (const bool with_resets : {true, false}) {
+    server_.reset();
+    std::atomic<int> done{0};
+    std::atomic<std::uint64_t> inserted{0};
+    std::atomic<std::uint64_t> removed{0};
+    std::atomic<int> clears{0};
+    {
+      ScanWorker worker(server_, transforms_, kClouds, [&](const auto&, const ScanOutcome& outcome) {
+        inserted += outcome.report.atoms_inserted;
+        ++done;
+      });
+      for (const auto& cloud : clouds_) worker.add(cloud);
+      std::vector<std::function<void()>> acts{[&] {
+                                                const auto answer = queries_.answer(box_at(clears++));
+                                                EXPECT_TRUE(answer.success) << answer.message;
+                                                removed += answer.removed;
+                                              },
+                                              [&] { expectSensibleAnswers(); }, [&] { expectWholeSnapshot(); }};
+      if (with_resets) acts.emplace_back([&] { EXPECT_TRUE(queries_.reset().success); });
+      repeatAtOnce(acts, 3, [&] { return done == kClouds; });
+    }
+    if (!with_resets) {
+      EXPECT_GT(removed, 0U);
+      EXPECT_EQ(atoms(), inserted - removed);
+    }
+    const std::size_t before = atoms();
+    const auto box = box_at(kClouds - 1);
+    const std::size_t last = queries_.answer(box).removed;
+    EXPECT_EQ(before - last, atoms());
+    const Eigen::AlignedBox3d cleared(Eigen::Vector3d(box.min.x, box.min.y, box.min.z),
+                                      Eigen::Vector3d(box.max.x, box.max.y, box.max.z));
+    server_.read([&](const AtomMap& map) {
+      map.atoms().forEach(
+          [&](atom_map::ConstAtomRef atom) { EXPECT_FALSE(cleared.contains(map.toMap(atom.center()))); });
+    });
+  }
+  EXPECT_GT(atoms(), 0U);
+  EXPECT_TRUE(queries_.reset().success);
+  EXPECT_EQ(atoms(), 0U);
+}
+
+// An empty map takes over the next file's mode and radius, whatever is asked or mapped meanwhile; one that holds atoms keeps
+// its own.
+TEST_F(ServerConcurrency, ModeAndRadiusChangeUnderLoad) {
+  MapStorage storage(server_, {});
+  for (const auto mode : {atom_map::Mode::kOccupancy, atom_map::Mode::kSignedDistance}) {
+    atom_map::MappingParameters parameters = coarse();
+    parameters.mode = mode;
+    parameters.radius = mode == atom_map::Mode::kOccupancy ? 0.5 : 0.4;
+    ScanServer other(parameters);
+    ASSERT_FALSE(other.insert(*clouds_[0], transforms_).drop);
+    const bool is_occupancy = mode == atom_map::Mode::kOccupancy;
+    ASSERT_TRUE(MapStorage(other, {}).save(at(is_occupancy ? "occupancy.h5" : "distances.h5")).success);
+  }
+  std::atomic<int> done{0};
+  std::atomic<int> loads{0};
+  QuerySignedDistance::Request points;
+  points.points.resize(50);
+  ScanWorker worker(server_, transforms_, kClouds, [&](const auto&, const ScanOutcome&) { ++done; });
+  for (const auto& cloud : clouds_) worker.add(cloud);
+  const auto load = [&](const char* name) {
+    queries_.reset();
+    const auto loaded = storage.load(at(name));
+    EXPECT_TRUE(loaded.success || loaded.message.find("cannot load") == 0) << loaded.message;
+    loads += loaded.success ? 1 : 0;
+  };
+  repeatAtOnce({[&] { load("occupancy.h5"); }, [&] { load("distances.h5"); },
+                [&] {
+                  const auto distances = queries_.answer(points);
+                  EXPECT_TRUE(distances.success || distances.message.find("the map is in occupancy mode") == 0);
+                },
+                [&] { EXPECT_TRUE(queries_.answer(QueryOccupancy::Request()).success); },
+                [&] {
+                  const auto saved = storage.save(at("saved.h5"));
+                  ASSERT_TRUE(saved.success) << saved.message;
+                  EXPECT_EQ(atom_map::loadMap(path("saved.h5")).map.atoms().size(), saved.atoms);
+                }},
+               3, [&] { return done == kClouds && loads > 2; });
+  const auto parameters = server_.parameters();
+  server_.read([&](const AtomMap& map) {
+    EXPECT_EQ(map.mode(), parameters.mode);
+    EXPECT_EQ(map.radius(), static_cast<float>(parameters.radius));
+  });
+}
+
 }  // namespace
 }  // namespace atom_mapping

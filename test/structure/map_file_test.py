@@ -73,6 +73,17 @@ class MapFileTest(unittest.TestCase):
         self.assertIn(f'far.h5: {2 * len(self.atoms)} atoms', far.stdout)
         self.assertIn(f'atoms {2 * len(self.atoms)}', re.sub(' +', ' ', run('map_info', 'far.h5').stdout))
 
+    def testMapsOfDistancesAreMergedTooButOnlyWithTheirLike(self):
+        mapped = run('atom_mapping_offline', '--bag', 'cube.bag', '--mode', 'signed_distance', '--save', 'distances.h5')
+        self.assertEqual(mapped.returncode, 0, mapped.stderr)
+        merged = run('merge_maps', 'distances.h5', 'distances.h5', '--out', 'merged.h5')
+        self.assertEqual((merged.returncode, merged.stderr), (0, ''))
+        self.assertIn(' atoms, 0 of them from distances.h5, ', merged.stdout)
+        self.assertIn('signed_distance', run('map_info', 'merged.h5').stdout)
+        refused = run('merge_maps', 'map.h5', 'distances.h5', '--out', 'no.h5')
+        self.assertEqual((refused.returncode, pathlib.Path('no.h5').exists()), (2, False))
+        self.assertIn('name two of one mode', refused.stderr)
+
 
 if __name__ == '__main__':
     rosunit.unitrun('atom_mapping', 'map_file', MapFileTest)

@@ -11,4 +11,8 @@ namespace atom_map {
 // std::invalid_argument for any other extension, std::runtime_error with file and reason when it cannot be written.
 void writeMesh(const SurfaceMesh& mesh, const std::string& file);
 
+// Throws what writeMesh would if the extension is another or the folder is not there or takes no files: to be asked before
+// hours of mapping.
+void checkMeshFile(const std::string& file);
+
 }  // namespace atom_map

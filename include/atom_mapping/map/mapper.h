@@ -55,10 +55,18 @@ class Mapper {
   // a scan that is being merged. A map beyond the limits is the caller's to fit (forgetFarthest) or to refuse.
   void replace(AtomMap map, std::uint64_t scans);
 
+  // The same with a map of any mode and of `radius` (m): where this one holds no atoms, it takes over both. Returns false,
+  // and changes nothing, where it holds some and is of another mode or radius.
+  bool adopt(AtomMap map, double radius, std::uint64_t scans);
+
   // Empties the map and starts the random draws anew; waits for a scan that is being merged.
   void reset();
 
-  const MappingParameters& parameters() const { return parameters_; }
+  // May be asked within read() and its like, where they are those of the map.
+  MappingParameters parameters() const {
+    const std::lock_guard lock(parameters_mutex_);
+    return parameters_;
+  }
 
  private:
   void mergeOccupancy(const std::vector<SurfacePoint>& surface, const std::vector<Eigen::Vector3f>& no_returns,
@@ -73,10 +81,11 @@ class Mapper {
   std::size_t forget(const Eigen::Vector3d& sensor);
   std::size_t forgetBeyond(const KeptBall& kept);
 
-  MappingParameters parameters_;
+  MappingParameters parameters_;  // written by who holds all three
   MapLimit limit_;
-  mutable std::mutex scan_mutex_;    // held from a scan's first stage to its last
-  mutable std::shared_mutex mutex_;  // of the map
+  mutable std::mutex parameters_mutex_;  // held last
+  mutable std::mutex scan_mutex_;        // held from a scan's first stage to its last
+  mutable std::shared_mutex mutex_;      // of the map
   AtomMap map_;
   std::uint64_t scans_ = 0;
 };

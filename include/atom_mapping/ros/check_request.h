@@ -31,6 +31,10 @@ float checkedLength(const std::string& where, float length);
 // A sphere's radius: as checkedLength and, unless unknown is free, at most `largest`.
 float checkedSphere(const std::string& where, float radius, float largest, bool unknown_is_free);
 
+// The absolute path of a file that a request names, from where the node runs; neither empty nor with a zero byte in it, where
+// the system would take it to end.
+std::string checkedFile(const std::string& file);
+
 // At most `max_points` elements, as services/max_points permits.
 void checkSize(const char* array, std::size_t size, std::size_t max_points);
 

@@ -18,7 +18,7 @@ namespace atom_mapping {
 // Thread safety: any member may be called from any thread; one file is written at a time.
 class MapStorage {
  public:
-  // Loads storage/load. Throws std::invalid_argument where that cannot be, or where storage/autosave cannot be written.
+  // Loads storage/load, as load() does. Throws std::invalid_argument where that cannot be, or where storage/autosave cannot be written.
   MapStorage(ScanServer& server, const StorageParameters& parameters);
   // Saves to storage/autosave what changed since it was saved last.
   ~MapStorage();
@@ -26,13 +26,17 @@ class MapStorage {
   MapStorage& operator=(const MapStorage&) = delete;
 
   // As MapQueries' answers: never throw, and a file that cannot be loaded leaves the map as it is. A file's map must be of
-  // the node's mode, radius and map frame, and within limits/max_*: what is beyond is refused or forgotten, as limits/policy says.
+  // the node's map frame and, unless the node's map is empty and takes over the file's, of its mode and radius. What is saved
+  // is told by the file's ending: the map (.h5), or its atoms or space as exportMap writes them. A map beyond limits/max_* is
+  // refused or cut, as limits/policy says.
   MapFile::Response save(const MapFile::Request& request);
   MapFile::Response load(const MapFile::Request& request);
 
  private:
-  std::size_t saveTo(const std::string& file);
-  std::size_t loadFrom(const std::string& file);
+  // Throw where it cannot be.
+  MapFile::Response saveTo(const std::string& file);
+  MapFile::Response exportTo(const std::string& file);
+  MapFile::Response loadFrom(const std::string& file);
   void fit(const std::string& file, atom_map::AtomMap& map);
   void autosave();
   void work();

@@ -26,8 +26,8 @@ class ScanServer : public CloudServer {
   // As AtomMap::clearRegion and Mapper::reset. Reset also restarts time; counts go on.
   std::size_t clearRegion(const Eigen::AlignedBox3d& box);
   void reset();
-  // As Mapper::replace. Also restarts time.
-  void replace(atom_map::AtomMap map, std::uint64_t scans);
+  // As Mapper::adopt. Also restarts time.
+  bool adopt(atom_map::AtomMap map, double radius, std::uint64_t scans);
 
   // As Mapper::read, save that readers come one at a time: such as overlap could hold the merge up for ever, since a
   // std::shared_mutex lets them in first.
@@ -40,7 +40,8 @@ class ScanServer : public CloudServer {
   LimitCounts limitCounts() const;
 
   const atom_map::Mapper& mapper() const { return mapper_; }
-  const atom_map::MappingParameters& parameters() const { return mapper_.parameters(); }
+  // As Mapper::parameters: mode and radius change when an empty map takes over those of another.
+  atom_map::MappingParameters parameters() const { return mapper_.parameters(); }
 
  private:
   atom_map::ScanReport insertScan(const atom_map::LidarScan& scan, const atom_map::Pose& sensor) override;

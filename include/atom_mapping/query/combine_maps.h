@@ -12,8 +12,9 @@ namespace atom_map {
 // but for the rounding of floats. `pose`: the map's frame to the other.
 AtomMap transformed(const AtomMap& map, const Pose& pose);
 
-// Merges another map's atoms as if they were the candidates of one scan (paper III-E): the occupied ones first, each with its
-// log-odds. Both maps must be in occupancy mode, of one radius and in one frame.
-MergeReport mergeInto(AtomMap& map, const AtomMap& other, const OccupancyParameters& parameters);
+// Merges another map's atoms as if they were the candidates of one scan (paper III-E): those behind surfaces first, each with
+// its log-odds, or its signed distance and variance (see DistanceMerge). Both maps must be of one mode and radius, and in one
+// frame.
+MergeReport mergeInto(AtomMap& map, const AtomMap& other, const MappingParameters& parameters);
 
 }  // namespace atom_map
