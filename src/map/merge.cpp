@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "atom_mapping/map/overlap.h"
+#include "atom_mapping/scan/snap.h"
 
 namespace atom_map {
 
@@ -54,7 +55,7 @@ OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candi
 void OccupancyMerge::addAside(const Candidate& candidate, const Eigen::Vector3f& push) {
   if (push.norm() > 0.5F * diameter_) return;
   Candidate aside = candidate;
-  aside.center += push;
+  aside.center = snapped(candidate.center + push, latticeSpacing(0.5F * diameter_));
   bool is_clear = true;
   vicinity_.forEachWithin(aside.center, [&](AtomRef, float) { is_clear = false; });
   if (is_clear) insert(aside);

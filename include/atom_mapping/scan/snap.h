@@ -4,6 +4,7 @@
 // no compression shortens: without it a map file takes 9 to 10 bytes an atom in place of 12 to 13.
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <vector>
 
@@ -14,11 +15,15 @@ inline float latticeSpacing(float radius) {
   return std::exp2(std::floor(std::log2(radius / 1024.0F)));
 }
 
+inline Eigen::Vector3f snapped(const Eigen::Vector3f& point, float spacing) {
+  return spacing * (point / spacing).array().rint();
+}
+
 template <class AnyCandidate>
 void snapToLattice(std::vector<AnyCandidate>& candidates, float radius) {
   const float spacing = latticeSpacing(radius);
   for (AnyCandidate& candidate : candidates) {
-    candidate.center = spacing * (candidate.center / spacing).array().rint();
+    candidate.center = snapped(candidate.center, spacing);
   }
 }
 
