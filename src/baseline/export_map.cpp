@@ -16,14 +16,18 @@ bool isOctree(const std::string& file) {
 
 }  // namespace
 
+bool isExportable(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  return isOctree(file) || ending == ".ply" || ending == ".pcd" || ending == ".csv";
+}
+
 void exportMap(const AtomMap& map, const std::string& file) {
   checkMapExport(file);
   isOctree(file) ? exportOctree(map, file) : exportAtoms(map, file);
 }
 
 void checkMapExport(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  if (!isOctree(file) && ending != ".ply" && ending != ".pcd" && ending != ".csv") {
+  if (!isExportable(file)) {
     throw std::invalid_argument("cannot export to " + file + ": name a file that ends in .ply, .pcd, .csv or .bt");
   }
   checkWritable(file);

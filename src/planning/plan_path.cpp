@@ -26,6 +26,11 @@ struct PathTask {
   PathPreference preference;
   SafetyRules rules;
   double max_cost = std::numeric_limits<double>::infinity();  // over atoms, of a path that is worth finding
+  Mode mode = Mode::kOccupancy;                               // of the map, and its atoms' radius
+  float radius = 0.0F;
+
+  // An empty map may have taken over another's kind.
+  bool isOf(const AtomMap& map) const { return map.origin() == origin && map.mode() == mode && map.radius() == radius; }
 };
 
 // A path's end as the search takes it.
@@ -58,14 +63,14 @@ PathSearch beginSearch(const AtomMap& map, const PathTask& task) {
           task.max_cost};
 }
 
-// Reads the map slice by slice until is_done(map, end of the slice); false when time is up or the map lost its frame.
+// Reads the map slice by slice until is_done(map, end of the slice); false when time is up or the map has become another.
 template <class Advance>
 bool advance(const PathTask& task, Clock::time_point deadline, const Advance& is_done) {
   bool done = false;
   bool is_lost = false;
   while (!done && !is_lost && Clock::now() < deadline) {
     task.read([&](const AtomMap& map) {
-      is_lost = map.origin() != task.origin;
+      is_lost = !task.isOf(map);
       done = !is_lost && is_done(map, std::min(deadline, Clock::now() + kSlice));
     });
   }
@@ -115,6 +120,8 @@ PlannedPath plan(const PathRequest& request, PathTask& task, float margin, Clock
   std::vector<PathSearch> search;  // one, unless an end will not do
   task.read([&](const AtomMap& map) {
     task.origin = map.origin();
+    task.mode = map.mode();
+    task.radius = map.radius();
     task.rules.margin = margin * map.radius();
     task.rules.start = map.toLocal(request.start);
     task.rules.goal = map.toLocal(request.goal);

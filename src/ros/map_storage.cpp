@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 
 #include "atom_mapping/baseline/export_map.h"
@@ -10,7 +9,7 @@
 #include "atom_mapping/io/write_file.h"
 #include "atom_mapping/map/forget.h"
 #include "atom_mapping/ros/check_request.h"
-#include "atom_mapping/ros/frame_name.h"
+#include "atom_mapping/ros/loaded_kind.h"
 #include "atom_mapping/ros/map_snapshot.h"
 
 namespace atom_mapping {
@@ -22,37 +21,10 @@ bool isMapFile(const std::string& file) {
   return fs::path(file).extension() == ".h5";
 }
 
-void checkEnding(const std::string& file) {
-  const std::string ending = fs::path(file).extension().string();
-  for (const char* known : {".h5", ".ply", ".pcd", ".csv", ".bt"}) {
-    if (ending == known) return;
-  }
-  throw std::runtime_error("cannot save to " + file +
-                           ": name a file that ends in .h5 for the map, in .ply, .pcd or .csv " +
-                           "for its atoms, or in .bt for an OctoMap");
-}
-
-template <class Value>
-void expectSame(const std::string& file, const char* name, const Value& theirs, const Value& ours,
-                const char* other_remedy = "") {
-  if (theirs == ours) return;
-  std::ostringstream text;
-  text << "cannot load " << file << ": its " << name << " is " << theirs << " and this node's is " << ours
-       << "; load another map, or start the node with " << name << " " << theirs << other_remedy;
-  throw std::runtime_error(text.str());
-}
-
-std::string toString(atom_map::Mode mode) {
-  return mode == atom_map::Mode::kOccupancy ? "occupancy" : "signed_distance";
-}
-
-// What a map of another kind is refused with.
-[[noreturn]] void refuseKind(const std::string& file, const atom_map::MappingParameters& theirs,
-                             const atom_map::MappingParameters& ours) {
-  const char* const remedy = ", or call ~reset first: an empty map takes over the file's";
-  expectSame(file, "mode", toString(theirs.mode), toString(ours.mode), remedy);
-  expectSame(file, "radius", theirs.radius, ours.radius, remedy);
-  throw std::runtime_error("cannot load " + file + ": this node's map has just become another; call again");
+[[noreturn]] void refuseEnding(const std::string& file) {
+  throw std::runtime_error(
+      "cannot save to " + file +
+      ": name a file that ends in .h5 for the map, in .ply, .pcd or .csv for its atoms, or in .bt " + "for an OctoMap");
 }
 
 std::string tooLarge(const std::string& file, const atom_map::AtomMap& map, const atom_map::LimitParameters& limits) {
@@ -119,8 +91,9 @@ MapStorage::~MapStorage() {
 MapFile::Response MapStorage::save(const MapFile::Request& request) {
   return answered([&] {
     const std::string file = checkedFile(request.file);
-    checkEnding(file);
-    return isMapFile(file) ? saveTo(file) : exportTo(file);
+    if (isMapFile(file)) return saveTo(file);
+    if (!atom_map::isExportable(file)) refuseEnding(file);
+    return exportTo(file);
   });
 }
 
@@ -147,16 +120,13 @@ MapFile::Response MapStorage::loadFrom(const std::string& file) {
   atom_map::LoadedMap loaded = atom_map::loadMap(file);
   const atom_map::MappingParameters& theirs = loaded.parameters;
   const atom_map::MappingParameters ours = server_.parameters();
-  expectSame(file, "map_frame", withoutSlash(theirs.map_frame), withoutSlash(ours.map_frame));
+  checkFrame(file, theirs, ours);
   fit(file, loaded.map);
   MapFile::Response response = done("loaded", loaded.map.atoms().size());
   if (!server_.adopt(std::move(loaded.map), theirs.radius, loaded.scans))
     refuseKind(file, theirs, server_.parameters());
   if (theirs.mode != ours.mode || theirs.radius != ours.radius) {
-    std::ostringstream text;
-    text << "; mode and radius are those of the file from now on: " << toString(theirs.mode) << ", " << theirs.radius
-         << " m";
-    response.message += text.str();
+    response.message += "; mode and radius are those of the file from now on: " + describeKind(theirs);
     log_.warn("kind", file + ": " + response.message);
   }
   return response;

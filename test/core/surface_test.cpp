@@ -1,7 +1,10 @@
 // The implicit surface: closed where the scene is closed, where the true surface is, the same for any number of threads.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "atom_mapping/map/mapper.h"
 #include "atom_mapping/surface/extract_surface.h"
@@ -108,13 +111,24 @@ TEST_F(SphereSurface, InABoxIsTheWholeOnesPartWithinACell) {
 
 TEST_F(SphereSurface, RefusesWhatItCannotDo) {
   SurfaceRequest request;
-  request.resolution = -1.0F;
-  EXPECT_THROW(extract(request), std::invalid_argument);
-  request.resolution = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(extract(request), std::invalid_argument);
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const float resolution : {-1.0F, std::nanf(""), infinity, -infinity, 1e-4F * 0.99F, 1e-9F, 1e-45F}) {
+    request.resolution = resolution;
+    EXPECT_THROW(extract(request), std::invalid_argument) << resolution;
+  }
   request.resolution = 0.0F;
   request.max_cells = 10;
   EXPECT_THROW(extract(request), std::invalid_argument);
+}
+
+// The ways between atoms alone would be 100 million cells here.
+TEST_F(SphereSurface, RefusesTooManyCellsBeforeTheyFillTheMemory) {
+  SurfaceRequest request;
+  request.resolution = 1.01e-4F;
+  request.max_cells = 10000;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THROW(extract(request), std::invalid_argument);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST_F(SphereSurface, OfAnEmptyMapIsEmpty) {

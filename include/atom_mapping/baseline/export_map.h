@@ -6,6 +6,9 @@
 
 namespace atom_map {
 
+// Whether exportMap knows the file's ending.
+bool isExportable(const std::string& file);
+
 // Writes a map for other programs, by the file's ending: its atoms as exportAtoms does (.ply, .pcd, .csv), or the space as
 // exportOctree does (.bt). Throws as they do, std::invalid_argument for any other ending.
 void exportMap(const AtomMap& map, const std::string& file);
