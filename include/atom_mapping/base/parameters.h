@@ -40,7 +40,7 @@ struct OccupancyParameters {
   double miss_probability = 0.3;  // occupancy that a ray passing by tells of
   double thin_weight = 2.0;       // of the log-odds of a thing narrower than scan/thin_width
   double hold_reach = 1.5;        // radii from its atom within which a return keeps others from being lowered
-  double max_log_odds = 2.0;      // clamp, on both sides
+  double max_log_odds = 1.5;      // clamp, on both sides
 };
 
 // signed_distance/: the fusion of Eq. (9) to (11).
@@ -52,7 +52,7 @@ struct SignedDistanceParameters {
 struct GaussianProcessParameters {
   bool answers_occupancy = true;      // occupancy queries ask it; false: they ask Eq. (5)
   std::uint32_t neighbors = 20;       // N, nearest atoms that a query is trained on
-  double alpha = 0.1;                 // of the log-odds' kernel exp(-alpha d^2), d in radii
+  double alpha = 0.12;                // of the log-odds' kernel exp(-alpha d^2), d in radii
   double noise_variance = 0.05;       // sigma_n^2 of the log-odds, in units of the kernel's variance, which is 1
   double distance_alpha = 0.01;       // the same of signed distances, which are smoother
   double distance_noise = 0.01;       // sigma_n^2 of signed distances, in squared radii
