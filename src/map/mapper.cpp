@@ -5,8 +5,8 @@
 
 #include "atom_mapping/base/check_parameters.h"
 #include "atom_mapping/base/timed.h"
-#include "atom_mapping/scan/drop_crossing.h"
 #include "atom_mapping/scan/candidate_filter.h"
+#include "atom_mapping/scan/drop_crossing.h"
 #include "atom_mapping/scan/rays.h"
 #include "atom_mapping/scan/snap.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "atom_mapping/scan/drop_crossing.h"
 #include "atom_mapping/map/mapper.h"
 #include "atom_mapping/query/gaussian_process.h"
+#include "atom_mapping/scan/drop_crossing.h"
 #include "atom_mapping/scan/normal_rays.h"
 #include "draw.h"
 #include "simulated.h"
