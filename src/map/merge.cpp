@@ -33,8 +33,9 @@ void OccupancyMerge::add(const Candidate& candidate) {
 }
 
 bool OccupancyMerge::mayStandAside(const Candidate& candidate, const Overlaps& overlaps) const {
-  const bool fills_hole = candidate.value < 0.0F && overlaps.count == 1;
-  return overlaps.nearest > (candidate.is_thin ? 0.5F : 0.7F) * diameter_ && (candidate.is_thin || fills_hole);
+  constexpr float kFar = 0.7F;  // diameters, of a lone atom: who stands aside further may stand in a surface
+  if (candidate.aside == Aside::kOfOne) return overlaps.count == 1 && overlaps.nearest > kFar * diameter_;
+  return candidate.aside == Aside::kOfAll && overlaps.nearest > 0.5F * diameter_;
 }
 
 OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candidate) {

@@ -35,7 +35,8 @@ class RayTracer {
   void traceBehind(const SurfacePoint& point, Candidates& candidates) const {
     const bool thin = std::isfinite(point.half_width);
     candidates.occupied.push_back({point.position - depthBehind(point, radius_) * point.normal,
-                                   thin ? thin_weight_ * hit_ : hit_, hold_reach_, thin});
+                                   thin ? thin_weight_ * hit_ : hit_, hold_reach_,
+                                   thin ? Aside::kOfAll : Aside::kNever});
     ++candidates.proposed;
   }
 
@@ -64,7 +65,7 @@ class RayTracer {
     candidates.proposed += count;
     interleaver_.keepAlong(range - first, count, resolution, [&](std::uint32_t i) {
       const float along = first + static_cast<float>(i) * step;
-      candidates.free.push_back({start + along * direction, miss_});
+      candidates.free.push_back({start + along * direction, miss_, 0.0F, Aside::kOfOne});
     });
   }
 

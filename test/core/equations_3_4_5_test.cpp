@@ -63,12 +63,12 @@ float valueAt(const AtomMap& map, const Vector3f& center) {
 }
 
 TEST(Equation3, UpdateAddsTheOverlapTimesTheNewLogOdds) {
-  AtomMap map = makeMap({{{0.0F, 0.0F, 0.0F}, 1.0F}, {{1.25F, 0.0F, 0.0F}, -1.5F}, {{0.0F, 3.0F, 0.0F}, 0.5F}});
+  AtomMap map = makeMap({{{0.0F, 0.0F, 0.0F}, 1.0F}, {{1.25F, 0.0F, 0.0F}, -1.0F}, {{0.0F, 3.0F, 0.0F}, 0.5F}});
   OccupancyMerge merge(map, OccupancyParameters{});
   const Candidate candidate{{0.5F, 0.0F, 0.0F}, -0.4F};  // r from the first, 3/2 r from the second
   merge.add(&candidate, &candidate + 1);
   EXPECT_FLOAT_EQ(valueAt(map, {0.0F, 0.0F, 0.0F}), 1.0F - 0.3125F * 0.4F);
-  EXPECT_FLOAT_EQ(valueAt(map, {1.25F, 0.0F, 0.0F}), -1.5F - 0.0859375F * 0.4F);
+  EXPECT_FLOAT_EQ(valueAt(map, {1.25F, 0.0F, 0.0F}), -1.0F - 0.0859375F * 0.4F);
   EXPECT_FLOAT_EQ(valueAt(map, {0.0F, 3.0F, 0.0F}), 0.5F);
   EXPECT_EQ(map.atoms().size(), 3U);
   EXPECT_EQ(merge.report().updates, 2U);

@@ -111,14 +111,15 @@ TEST_P(Mapping, TheSameScansAgainAddFewAtoms) {
   mapAll(mapper_, drive_);
   const std::size_t first = sizeOf(mapper_);
   mapAll(mapper_, drive_);
-  EXPECT_LT(sizeOf(mapper_) - first, first / 10);
+  EXPECT_LT(sizeOf(mapper_) - first, 3 * first / 20);
 }
 
-// Interleaving leaves none of an overlapping set in (1 - 2 / k)^k = 13 % of cases: a hole that a second look fills.
+// Interleaving leaves none of an overlapping set in (1 - 1.25 / k)^k = 29 % of cases: a hole, unless a neighbour stands aside
+// into it, that a second look fills.
 TEST_P(Mapping, OneScanOverAndOverAddsHardlyAnything) {
   const auto insert = [&] { return mapper_.insertScan(drive_.scans[0], drive_.poses[0]).merge.inserted; };
   const std::uint32_t first = insert();
-  EXPECT_LT(insert(), 0.18 * first);
+  EXPECT_LT(insert(), 0.25 * first);
   for (int i = 0; i < 5; ++i) insert();
   EXPECT_LT(insert(), 0.04 * first);
 }

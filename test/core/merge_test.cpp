@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "atom_mapping/scan/snap.h"
 #include "check_map.h"
 #include "list_merge.h"
 
@@ -108,11 +109,13 @@ TEST(MergeOfOneCandidate, AnAtomThatAReturnRaisedIsNotLoweredByItsOwnScanButByTh
   EXPECT_EQ(map.atoms().size(), 1U);
 }
 
-TEST_P(Merge, OfThinThingsKeepsAtomsApartAndLogOddsWithinTheClamps) {
+TEST_P(Merge, OfCandidatesThatStandAsideKeepsAtomsApartAndLogOddsWithinTheClamps) {
   AtomMap map(Mode::kOccupancy, kRadius);
   for (int i = 0; i < 4; ++i) {
     Scan scan = drawScan(random_, half_);
-    for (Candidate& candidate : scan.occupied) candidate.is_thin = random_.uniform() < 0.5F;
+    for (Candidate& candidate : scan.occupied)
+      candidate.aside = random_.uniform() < 0.5F ? Aside::kOfAll : Aside::kNever;
+    for (Candidate& candidate : scan.free) candidate.aside = Aside::kOfOne;
     const std::size_t before = map.atoms().size();
     const MergeReport report = add(map, scan, parameters_);
     EXPECT_EQ(map.atoms().size(), before + report.inserted);
@@ -128,15 +131,37 @@ TEST(MergeOfAThinThing, SetsAnAtomAsideOfThoseThatLieFarFromIt) {
     const Vector3f free = drawWithin(random, 3.0F);
     add(map, {{}, {{free, -0.4F}}}, OccupancyParameters{});
     const float distance = draw(random, 0.05F, 1.99F) * kRadius;
-    const Candidate pole{free + distance * drawDirection(random), 1.7F, kRadius, true};
+    const Candidate pole{free + distance * drawDirection(random), 1.7F, kRadius, Aside::kOfAll};
     const MergeReport report = add(map, {{pole}, {}}, OccupancyParameters{});
     const bool is_far = distance > kRadius;
     ASSERT_EQ(report.inserted, is_far ? 1U : 0U) << distance << " m off";
     if (!is_far) continue;
     const auto nearest = map.atoms().nearest(pole.center, kRadius);
     ASSERT_TRUE(nearest && nearest->values[0] > 0.0F);
-    ASSERT_NEAR((nearest->center - free).norm(), 2.0F * kRadius, 1e-5F) << "it touches the atom that was there";
+    ASSERT_NEAR((nearest->center - free).norm(), 2.0F * kRadius, latticeSpacing(kRadius))
+        << "it touches the atom that was there";
   }
+}
+
+TEST(MergeOfAFreeCandidate, StandsAsideOfALoneAtomThatItOverlapsByLittle) {
+  Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    AtomMap map(Mode::kOccupancy, kRadius);
+    const Vector3f lone = drawWithin(random, 3.0F);
+    add(map, {{}, {{lone, -0.4F}}}, OccupancyParameters{});
+    const float distance = draw(random, 0.05F, 1.99F) * kRadius;
+    const Candidate free{lone + distance * drawDirection(random), -0.4F, 0.0F, Aside::kOfOne};
+    ASSERT_EQ(add(map, {{}, {free}}, OccupancyParameters{}).inserted, distance > 1.4F * kRadius ? 1U : 0U) << distance;
+    expectNoOverlap(map);
+  }
+}
+
+TEST(MergeOfAFreeCandidate, StaysOutWhereItOverlapsTwo) {
+  AtomMap map(Mode::kOccupancy, kRadius);
+  const Candidate left{{-1.6F * kRadius, 0.0F, 0.0F}, -0.4F};
+  const Candidate right{{1.6F * kRadius, 0.0F, 0.0F}, -0.4F};
+  const Candidate between{Vector3f::Zero(), -0.4F, 0.0F, Aside::kOfOne};
+  EXPECT_EQ(add(map, {{}, {left, right, between}}, OccupancyParameters{}).inserted, 2U);
 }
 
 TEST(MergeOfAThinThing, InsertsNothingWhereThereIsNoRoom) {
@@ -148,7 +173,7 @@ TEST(MergeOfAThinThing, InsertsNothingWhereThereIsNoRoom) {
     }
   }
   ASSERT_EQ(add(map, corners, OccupancyParameters{}).inserted, 8U);
-  EXPECT_EQ(add(map, {{{Vector3f::Zero(), 1.7F, kRadius, true}}, {}}, OccupancyParameters{}).inserted, 0U);
+  EXPECT_EQ(add(map, {{{Vector3f::Zero(), 1.7F, kRadius, Aside::kOfAll}}, {}}, OccupancyParameters{}).inserted, 0U);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <vector>
 
 namespace atom_map {
@@ -22,12 +23,19 @@ struct SurfacePoint {
   float half_width;        // m, of a thing that stands free of its background left and right; infinite for others
 };
 
+// What a candidate may do that overlaps atoms of the map: see OccupancyMerge.
+enum class Aside : std::uint8_t {
+  kNever,
+  kOfOne,  // what fills space: stand aside of a lone atom
+  kOfAll,  // of a thing narrower than the space between atoms may be: of any number
+};
+
 // An atom proposed by one scan in occupancy mode.
 struct Candidate {
   Eigen::Vector3f center;
-  float value;           // log-odds of occupancy to add (paper, Eq. 3)
-  float hold = 0.0F;     // m from the centre within which the scan's free candidates lower no atom
-  bool is_thin = false;  // of a thing narrower than the space between atoms may be: see OccupancyMerge
+  float value;        // log-odds of occupancy to add (paper, Eq. 3)
+  float hold = 0.0F;  // m from the centre within which the scan's free candidates lower no atom
+  Aside aside = Aside::kNever;
 };
 
 }  // namespace atom_map

@@ -31,7 +31,8 @@ struct MergeReport {
 // between them and the occupied ones would lie too far out.
 // Choice: where none of the atoms that a thin thing's candidate overlaps lies within a radius of it, it is pushed out of them, by
 // a radius at most, and inserted beside them if there is room. Otherwise a pole would be told by an atom up to two radii off.
-// The same for a free candidate that overlaps one atom only: there is often a hole beside it, of nine in ten that rays crossed.
+// Choice: a free candidate that overlaps a lone atom by little is pushed out of it likewise. Of the holes that chance leaves
+// in space that rays crossed, most lie beside such an atom: it fills nine in ten.
 class OccupancyMerge {
  public:
   // The map must be in occupancy mode, and outlive this. A map that reaches `limit` gets no new atoms.
