@@ -15,8 +15,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kSlice{1};               // of reading the map
-constexpr std::array<float, 3> kMargins{0.5F, 0.25F, 0.0F};  // atomic radii, one tried after the other
-constexpr double kDetour = 1.1;                              // what a margin may cost, over the cheapest path without
+constexpr std::array<float, 3> kMargins{0.75F, 0.4F, 0.0F};  // atomic radii, one tried after the other
+constexpr double kDetour = 1.05;                             // what a margin may cost, over the cheapest path without
 constexpr float kRounding = 1e-3F;                           // atomic radii, of a safe way's parts
 
 // What is fixed while one path is planned.

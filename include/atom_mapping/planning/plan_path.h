@@ -45,7 +45,7 @@ PathOutcome examine(const AtomMap& map, const Eigen::Vector3d& point, float robo
 //
 // Choice: the map is read for some milliseconds at a time, and the whole path looked through at the end; where the map
 // has changed so that it does not hold, it is planned anew. A copy of the map would cost more than most searches do.
-// Choice: a margin of half a radius first; half of it where that finds no connection, or a path that costs over 1.1 times as
+// Choice: a margin of 0.75 radii first; 0.4 where that finds no connection, or a path that costs over 1.05 times as
 // much; and none where there is no connection otherwise. A passage that only just holds the robot is worth a small way
 // round, and no large one.
 PlannedPath planPath(const ReadMap& read, const PathRequest& request, const GaussianProcessParameters& regression);
