@@ -61,7 +61,7 @@ struct GaussianProcessParameters {
 
 // surface/: extraction of the implicit surface.
 struct SurfaceParameters {
-  double occupancy_deviation = 0.35;  // radii, standard deviation of the surface's place beyond which it is left out
+  double occupancy_deviation = 0.5;   // radii, standard deviation of the surface's place beyond which it is left out
   double distance_deviation = 0.075;  // the same in signed distance mode
 };
 
