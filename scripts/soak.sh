@@ -37,6 +37,7 @@ if [[ ${#light[@]} -eq 0 ]]; then node_arguments+=("_storage/autosave:=$output/a
 node=$!
 pids+=("$node")
 if [[ ${#light[@]} -gt 0 ]] && command -v Xvfb >/dev/null; then
+  rm -f "$output/display"
   Xvfb -screen 0 1280x800x24 -displayfd 3 3>"$output/display" >/dev/null 2>&1 &
   pids+=($!)
   until [[ -s $output/display ]]; do sleep 0.1; done
