@@ -28,7 +28,8 @@ GrowthStep mapCopy(const RecordedDrive& drive, const Eigen::Vector3d& place, Map
 
 Eigen::Vector3d placeOfCopy(std::size_t i, std::size_t copies, double spacing) {
   const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(copies))));
-  return spacing * Eigen::Vector3d(static_cast<double>(i % row), static_cast<double>(i / row), 0.0);
+  const std::size_t line = i / row;
+  return spacing * Eigen::Vector3d(static_cast<double>(i % row), static_cast<double>(line), 0.0);
 }
 
 std::vector<GrowthStep> growMap(const RecordedDrive& drive, double spacing, std::uint64_t least_atoms, Mapper& mapper,
