@@ -30,7 +30,7 @@ class Player:
         self.lost = 0
         self.scans = 0
         self.lock = threading.Condition()
-        rospy.Subscriber('/atom_mapping/scan_report', ScanReport, self.note, queue_size=100)
+        self.reports = rospy.Subscriber('/atom_mapping/scan_report', ScanReport, self.note, queue_size=100)
 
     def note(self, report):
         with self.lock:
@@ -40,7 +40,7 @@ class Player:
             self.lock.notify_all()
 
     def waitForNode(self):
-        while any(publisher.get_num_connections() == 0 for publisher in self.publishers.values()):
+        while any(link.get_num_connections() == 0 for link in [*self.publishers.values(), self.reports]):
             time.sleep(0.05)
 
     def play(self, deadline):
