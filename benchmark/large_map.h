@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
+#include "atom_mapping/evaluation/growth.h"
 #include "atom_mapping/map/mapper.h"
 #include "draw.h"
 #include "simulated.h"
@@ -22,7 +22,7 @@ struct MapRay {
 
 class LargeMap {
  public:
-  static constexpr float kSpacing = 100.0F;  // m, between copies; the hall is shorter
+  static constexpr double kSpacing = 100.0;  // m, between copies; the hall is shorter
 
   LargeMap(Mode mode, std::size_t least_atoms) : map_(mode, MappingParameters().radius) {
     parameters_.mode = mode;
@@ -72,10 +72,7 @@ class LargeMap {
     }
   }
 
-  Eigen::Vector3f placeOf(std::size_t copy) const {
-    const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(copies_))));
-    return kSpacing * Eigen::Vector3f(static_cast<float>(copy % row), static_cast<float>(copy / row), 0.0F);
-  }
+  Eigen::Vector3f placeOf(std::size_t copy) const { return placeOfCopy(copy, copies_, kSpacing).cast<float>(); }
 
   void insertCopy(const AtomMap& hall, std::size_t copy) {
     const bool has_variance = map_.mode() == Mode::kSignedDistance;

@@ -1,8 +1,8 @@
 // grow_map: what a scan costs in a map of ten million atoms. Drives through copies of a scene, side by side.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "atom_mapping/apps/run_program.h"
@@ -13,8 +13,6 @@
 #include "atom_mapping/sim/make_scene.h"
 
 namespace {
-
-constexpr double kPeriod = 0.1;  // s between scans of a simulated drive
 
 struct Options {
   std::string scene = "campus";
@@ -40,15 +38,12 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--save", options.save, "write the map, a .h5");
 }
 
+// Of a slower lidar, so that its scans lie further apart; what its rays say is not asked.
 atom_map::RecordedDrive record(const atom_map::Scene& scene, const Options& options) {
-  const atom_map::Trajectory trajectory = atom_map::makeTrajectory(options.scene);
-  atom_map::RecordedDrive drive;
-  for (int i = 0; i < options.scans; ++i) {
-    const double stamp = kPeriod * options.every * i;
-    drive.scans.push_back(toLidarScan(simulateScan(scene, trajectory, stamp, {}, 1)));
-    drive.poses.push_back(trajectory.sensorPose(stamp));
-  }
-  return drive;
+  constexpr std::size_t kHardlyAny = std::numeric_limits<std::size_t>::max() / 2;  // rays
+  atom_map::LidarModel model;
+  model.period *= options.every;
+  return recordDrive(scene, atom_map::makeTrajectory(options.scene), model, options.scans, 1, {}, kHardlyAny);
 }
 
 void print(const atom_map::GrowthStep& step) {

@@ -15,6 +15,7 @@ namespace {
 using atom_map::AtomMap;
 using atom_map::LoadedMap;
 using atom_map::Mode;
+using atom_map::map_file::nameOf;
 
 std::ostream& label(const std::string& text) {
   return std::cout << std::left << std::setw(34) << text;
@@ -30,12 +31,8 @@ struct ParameterPrinter {
     label(std::string("  ") + name) << value << "\n";
   }
   void operator()(const char* name, bool value) const { operator()(name, std::string(value ? "true" : "false")); }
-  void operator()(const char* name, Mode value) const {
-    operator()(name, std::string(value == Mode::kOccupancy ? "occupancy" : "signed_distance"));
-  }
-  void operator()(const char* name, atom_map::LimitPolicy value) const {
-    operator()(name, std::string(atom_map::map_file::nameOf(value)));
-  }
+  void operator()(const char* name, Mode value) const { operator()(name, std::string(nameOf(value))); }
+  void operator()(const char* name, atom_map::LimitPolicy value) const { operator()(name, std::string(nameOf(value))); }
 };
 
 // Occupied, or behind a surface.

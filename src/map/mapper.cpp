@@ -126,9 +126,7 @@ void Mapper::merge(const std::vector<AnyCandidate>& candidates, Merging& merging
 
 void Mapper::replace(AtomMap map, std::uint64_t scans) {
   assert(map.mode() == map_.mode() && map.radius() == map_.radius());
-  const std::lock_guard scan_lock(scan_mutex_);
-  write([&](AtomMap& mine) { std::swap(mine, map); });  // the old one is freed when readers may read again
-  scans_ = scans;
+  adopt(std::move(map), parameters().radius, scans);
 }
 
 bool Mapper::adopt(AtomMap map, double radius, std::uint64_t scans) {
@@ -137,7 +135,7 @@ bool Mapper::adopt(AtomMap map, double radius, std::uint64_t scans) {
   const bool adopted = write([&](AtomMap& mine) {
     const bool is_alike = map.mode() == parameters_.mode && radius == parameters_.radius;
     if (mine.atoms().size() > 0 && !is_alike) return false;
-    std::swap(mine, map);
+    std::swap(mine, map);  // the old one is freed when readers may read again
     const std::lock_guard lock(parameters_mutex_);
     parameters_.mode = mine.mode();
     parameters_.radius = radius;

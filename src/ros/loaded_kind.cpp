@@ -3,14 +3,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "atom_mapping/io/map_file_format.h"
 #include "atom_mapping/ros/frame_name.h"
 
 namespace atom_mapping {
 namespace {
 
-const char* toString(atom_map::Mode mode) {
-  return mode == atom_map::Mode::kOccupancy ? "occupancy" : "signed_distance";
-}
+using atom_map::map_file::nameOf;
 
 template <class Value>
 void expectSame(const std::string& file, const char* name, const Value& theirs, const Value& ours,
@@ -32,14 +31,14 @@ void checkFrame(const std::string& file, const atom_map::MappingParameters& thei
 void refuseKind(const std::string& file, const atom_map::MappingParameters& theirs,
                 const atom_map::MappingParameters& ours) {
   const char* const remedy = ", or call ~reset first: an empty map takes over the file's";
-  expectSame(file, "mode", std::string(toString(theirs.mode)), std::string(toString(ours.mode)), remedy);
+  expectSame(file, "mode", std::string(nameOf(theirs.mode)), std::string(nameOf(ours.mode)), remedy);
   expectSame(file, "radius", theirs.radius, ours.radius, remedy);
   throw std::runtime_error("cannot load " + file + ": this node's map has just become another; call again");
 }
 
 std::string describeKind(const atom_map::MappingParameters& parameters) {
   std::ostringstream text;
-  text << toString(parameters.mode) << ", " << parameters.radius << " m";
+  text << nameOf(parameters.mode) << ", " << parameters.radius << " m";
   return text.str();
 }
 

@@ -4,14 +4,12 @@
 #include <tuple>
 #include <utility>
 
+#include "atom_mapping/io/map_file_format.h"
+
 namespace atom_mapping {
 namespace {
 
 constexpr double kPeriod = 1.0;  // s
-
-const char* toString(atom_map::Mode mode) {
-  return mode == atom_map::Mode::kOccupancy ? "occupancy" : "signed_distance";
-}
 
 }  // namespace
 
@@ -33,7 +31,7 @@ void describeMap(const ScanServer& server, diagnostic_updater::DiagnosticStatusW
   status.add("atoms forgotten", limits.forgotten);
   const atom_map::MappingParameters parameters = server.parameters();
   status.add("radius (m)", parameters.radius);
-  status.add("mode", toString(parameters.mode));
+  status.add("mode", atom_map::map_file::nameOf(parameters.mode));
 }
 
 void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticStatusWrapper& status) {
