@@ -61,9 +61,9 @@ runTogether() {
 # compare BAG NAME: Table I, and fewer scans at smaller radii.
 compare() {
   # shellcheck disable=SC2086
-  run "compare_$2" compare_maps --bag "$1" --radius $table_radii --scans "$drive" --pruned --stride 47
+  run "compare_$2" compare_maps --bag "$1" --radius $table_radii --scans "$drive" --pruned --every-return --stride 47
   # shellcheck disable=SC2086
-  run "fine_$2" compare_maps --bag "$1" --radius $fine_radii --scans "$fine" --pruned --stride 13
+  run "fine_$2" compare_maps --bag "$1" --radius $fine_radii --scans "$fine" --pruned --every-return --stride 13
 }
 
 # What was run, and where.
@@ -91,7 +91,7 @@ for name in handheld street vlp16_room vlp16_dual_return; do
   fi
 done
 # shellcheck disable=SC2086
-run tradeoff evaluate_map --scene hall --radius $tradeoff_radii --scans $few --stride 7 --pruned
+run tradeoff evaluate_map --scene hall --radius $tradeoff_radii --scans $few --stride 7 --pruned --every-return
 for mode in occupancy signed_distance; do run growth_atom_$mode grow_map --mode $mode --atoms $grown; done
 
 {
@@ -101,7 +101,7 @@ for mode in occupancy signed_distance; do run growth_atom_$mode grow_map --mode 
     done
   done
   for scene in hall campus; do
-    echo "coverage_$scene evaluate_map --scene $scene --radius $coverage_radii --scans $few --stride 3"
+    echo "coverage_$scene evaluate_map --scene $scene --radius $coverage_radii --scans $few --stride 3 --every-return"
   done
   echo "ground evaluate_map --slope $slopes --radius 0.25 --scans $climb --stride 3 --picture"
 } | runTogether

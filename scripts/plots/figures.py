@@ -6,12 +6,14 @@ NAMES = {
     'atom_signed_distance': 'atoms, signed distance',
     'octomap': 'OctoMap',
     'octomap_pruned': 'OctoMap, pruned',
+    'octomap_every_return': 'OctoMap, every return',
 }
 COLORS = {
     'atom_occupancy': '#c0392b',
     'atom_signed_distance': '#e08e0b',
     'octomap': '#2c6fbb',
     'octomap_pruned': '#7fb2e5',
+    'octomap_every_return': '#1b3a5c',
 }
 
 

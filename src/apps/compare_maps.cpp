@@ -32,7 +32,7 @@ struct Options {
   double voxel = 0.0;  // m; 0: of equal volume
   std::size_t stride = 7;
   bool no_filter = false;
-  bool pruned = false;
+  atom_map::MoreOctomaps more;
   std::string json;
 };
 
@@ -49,8 +49,9 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   app.add_flag("--no-filter", options.no_filter, "Every map gets all returns in range, none is thinned");
-  app.add_flag("--pruned", options.pruned,
-               "Also an OctoMap that joins equal voxels as it grows, as octomap_server runs it");
+  app.add_flag("--pruned", options.more.pruned, "Also an OctoMap that joins equal voxels as it grows");
+  app.add_flag("--every-return", options.more.every_return,
+               "Also an OctoMap whose scans are not thinned, as octomap_server's are not");
   app.add_option("--json", options.json, "Write the figures: an object, of several radii an array of them");
 }
 
@@ -72,7 +73,7 @@ struct Contest {
 Contest makeContest(MappingParameters parameters, double radius, const Options& options) {
   parameters.radius = radius;
   const double voxel = options.voxel > 0.0 ? options.voxel : atom_map::equalVolumeVoxel(radius);
-  return {radius, voxel, Comparison(makeComparedMaps(parameters, voxel, options.pruned))};
+  return {radius, voxel, Comparison(makeComparedMaps(parameters, voxel, options.more))};
 }
 
 // Feeds every map, and remembers the rays.

@@ -34,7 +34,7 @@ struct Options {
   std::uint32_t seed = 1;
   std::size_t stride = 1;
   bool no_filter = false;
-  bool pruned = false;
+  atom_map::MoreOctomaps more;
   bool picture = false;
   std::string json;
 };
@@ -50,7 +50,8 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--no-filter", options.no_filter, "every map gets all returns in range, none is thinned");
-  app.add_flag("--pruned", options.pruned, "also an OctoMap that joins equal voxels as it grows");
+  app.add_flag("--pruned", options.more.pruned, "also an OctoMap that joins equal voxels as it grows");
+  app.add_flag("--every-return", options.more.every_return, "also an OctoMap whose scans are not thinned");
   app.add_flag("--picture", options.picture, "write every unit too, and of a scene log-odds in the plane z = 0");
   app.add_option("--json", options.json, "write the figures: an object, of several radii or slopes an array");
 }
@@ -80,7 +81,7 @@ ordered_json judgeMaps(const RecordedDrive& drive, double radius, const Options&
                        const atom_map::AskTrueDistance& truth, ordered_json json) {
   MappingParameters parameters = makeParameters(options);
   parameters.radius = radius;
-  atom_map::Comparison comparison(makeComparedMaps(parameters, 0.0, options.pruned));
+  atom_map::Comparison comparison(makeComparedMaps(parameters, 0.0, options.more));
   for (std::size_t i = 0; i < drive.scans.size(); ++i) comparison.insertScan(drive.scans[i], drive.poses[i]);
 
   std::vector<ordered_json> judged;

@@ -64,11 +64,17 @@ ComparedMap makeOctomap(const MappingParameters& parameters, const OctomapParame
       [](const OctomapBaseline& map) -> std::uint64_t { return map.tree().getNumLeafNodes(); }, voxelsOf);
 }
 
-std::vector<ComparedMap> makeComparedMaps(const MappingParameters& parameters, double voxel, bool with_pruned) {
+std::vector<ComparedMap> makeComparedMaps(const MappingParameters& parameters, double voxel, const MoreOctomaps& more) {
   std::vector<ComparedMap> maps{makeAtomMap(parameters, Mode::kOccupancy),
                                 makeAtomMap(parameters, Mode::kSignedDistance),
                                 makeOctomap(parameters, {voxel, false})};
-  if (with_pruned) maps.push_back(makeOctomap(parameters, {voxel, true}));
+  if (more.pruned) maps.push_back(makeOctomap(parameters, {voxel, true}));
+  if (more.every_return) {
+    MappingParameters unthinned = parameters;
+    unthinned.scan.thinning = 0.0;
+    maps.push_back(makeOctomap(unthinned, {voxel, false}));
+    maps.back().name = "octomap_every_return";
+  }
   return maps;
 }
 

@@ -13,6 +13,7 @@ OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& paramete
     : atoms_(map.atoms()),
       limit_(limit),
       diameter_(2.0F * map.radius()),
+      lattice_(latticeSpacing(map.radius())),
       vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, kBlock * diameter_),
       max_log_odds_(static_cast<float>(parameters.max_log_odds)) {
   assert(map.mode() == Mode::kOccupancy);
@@ -56,7 +57,7 @@ OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candi
 void OccupancyMerge::addAside(const Candidate& candidate, const Eigen::Vector3f& push) {
   if (push.norm() > 0.5F * diameter_) return;
   Candidate aside = candidate;
-  aside.center = snapped(candidate.center + push, latticeSpacing(0.5F * diameter_));
+  aside.center = snapped(candidate.center + push, lattice_);
   bool is_clear = true;
   vicinity_.forEachWithin(aside.center, [&](AtomRef, float) { is_clear = false; });
   if (is_clear) insert(aside);

@@ -121,6 +121,17 @@ TEST_F(CompareMaps, APrunedOctomapIsSmallerAndAnswersAlike) {
   for (const char* key : {"free", "false_occupied", "unknown", "surface"}) EXPECT_EQ(pruned.at(key), plain.at(key));
 }
 
+// Thinning is all that the two differ in.
+TEST_F(CompareMaps, AnOctomapOfEveryReturnIsThatWithoutTheFilter) {
+  const json figures = compare("--radius 0.5 --every-return");
+  ASSERT_EQ(figures.at("maps").size(), 4U);
+  const json& every = figures.at("maps")[3];
+  const json whole = compare("--radius 0.5 --no-filter").at("maps")[2];
+  EXPECT_EQ(every.at("name"), "octomap_every_return");
+  for (const char* key : {"units", "free", "false_occupied", "unknown", "surface"}) EXPECT_EQ(every.at(key), whole.at(key));
+  EXPECT_GT(every.at("units"), figures.at("maps")[2].at("units"));
+}
+
 TEST_F(CompareMaps, SaysWhatIsWrong) {
   expectFault("", "--bag is required");
   expectFault("--bag " + path("none.bag"), "cannot open " + path("none.bag"));

@@ -21,7 +21,7 @@ struct MapUnit {
 
 // A map to be compared with others, whichever it is.
 struct ComparedMap {
-  std::string name;  // atom_occupancy, atom_signed_distance, octomap or octomap_pruned
+  std::string name;  // atom_occupancy, atom_signed_distance, octomap, octomap_pruned or octomap_every_return
   std::function<ScanReport(const LidarScan&, const Pose&)> insert_scan;
   AskOccupancy ask;                      // as ~query_occupancy answers; from one thread at a time
   std::function<std::uint64_t()> units;  // atoms, or leaves of the octree
@@ -35,8 +35,13 @@ struct ComparedMap {
 ComparedMap makeAtomMap(MappingParameters parameters, Mode mode);
 ComparedMap makeOctomap(const MappingParameters& parameters, const OctomapParameters& octomap);
 
-// Both modes of the atom map, and OctoMap with voxels of `voxel` metres (0: of an atom's volume); if asked also an OctoMap
-// that joins equal voxels as it grows. Throws as those above.
-std::vector<ComparedMap> makeComparedMaps(const MappingParameters& parameters, double voxel, bool with_pruned);
+// OctoMaps beside the one that gets what the atom maps get.
+struct MoreOctomaps {
+  bool pruned = false;        // that joins equal voxels as it grows
+  bool every_return = false;  // whose scans are not thinned: what OctoMap's own server does
+};
+
+// Both modes of the atom map, and OctoMaps with voxels of `voxel` metres (0: of an atom's volume). Throws as those above.
+std::vector<ComparedMap> makeComparedMaps(const MappingParameters& parameters, double voxel, const MoreOctomaps& more);
 
 }  // namespace atom_map

@@ -62,6 +62,7 @@ class OccupancyMerge {
   const AtomTree& atoms_;
   MapLimit limit_;
   float diameter_;  // m, of an atom
+  float lattice_;   // m, spacing of the atoms' centres
   Vicinity vicinity_;
   float max_log_odds_;
   CenterSet held_;
