@@ -8,20 +8,21 @@ namespace atom_map {
 
 void AtomBlock::push(const Eigen::Vector3f& center, const float* values) {
   resize(size_ + 1);
-  for (int c = 0; c < 3; ++c) channel(c)[size_ - 1] = center[c];
-  for (int c = 0; c < value_count_; ++c) channel(3 + c)[size_ - 1] = values[c];
+  for (int c = 0; c < 3; ++c) mutableChannel(c)[size_ - 1] = center[c];
+  for (int v = 0; v < value_count_; ++v) setValue(size_ - 1, v, values[v]);
 }
 
 void AtomBlock::push(const AtomBlock& other, std::uint32_t i) {
   assert(i < other.size_ && value_count_ == other.value_count_);
   resize(size_ + 1);
-  for (int c = 0; c < 3 + value_count_; ++c) channel(c)[size_ - 1] = other.channel(c)[i];
+  for (int c = 0; c < 3; ++c) mutableChannel(c)[size_ - 1] = other.channel(c)[i];
+  for (int v = 0; v < value_count_; ++v) setValue(size_ - 1, v, other.channel(3 + v)[i]);
 }
 
 void AtomBlock::remove(std::uint32_t i) {
   assert(i < size_);
-  for (int c = 0; c < 3 + value_count_; ++c) channel(c)[i] = channel(c)[size_ - 1];
-  channel(0)[size_ - 1] = std::numeric_limits<float>::infinity();
+  for (int c = 0; c < 3 + value_count_; ++c) mutableChannel(c)[i] = channel(c)[size_ - 1];
+  mutableChannel(0)[size_ - 1] = std::numeric_limits<float>::infinity();
   resize(size_ - 1);
 }
 

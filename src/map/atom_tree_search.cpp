@@ -16,6 +16,21 @@ void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& nei
 
 }  // namespace
 
+AtomTree::Way::Way(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) {
+  constexpr float kLeastWay = 1e-30F;  // m; planes beside a way that goes none along an axis are crossed far off
+  for (int i = 0; i < 3; ++i) {
+    const float way = to[i] - from[i];
+    const float rounding = 4.0F * kRounding * (std::max(std::abs(from[i]), std::abs(to[i])) + radius + std::abs(way));
+    const float shares_per_metre = 1.0F / std::copysign(std::max(std::abs(way), kLeastWay), way);
+    axes[static_cast<std::size_t>(i)] = {from[i], shares_per_metre, (radius + rounding) * std::abs(shares_per_metre)};
+  }
+}
+
+// Of a radius about p, with the rounding of what is compared with planes so near.
+float AtomTree::widenedAt(const Eigen::Vector3f& p, float radius) {
+  return radius + 2.0F * kRounding * (p.cwiseAbs().maxCoeff() + radius);
+}
+
 AtomTree::Split AtomTree::splitAt(const Inner& node, const Eigen::Vector3f& p) const {
   const float plane = node.plane;
   const float offset = p[node.axis] - plane;
@@ -23,22 +38,23 @@ AtomTree::Split AtomTree::splitAt(const Inner& node, const Eigen::Vector3f& p) c
   return {node.children[near], node.children[1 - near], std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane))};
 }
 
-bool AtomTree::isAnyWithin(const Eigen::Vector3f& p, float radius) const {
-  return size_ > 0 && isAnyBelow(root_, p, radius * radius, Gap());
+std::optional<Eigen::Vector3f> AtomTree::anyWithin(const Eigen::Vector3f& p, float radius) const {
+  return size_ > 0 ? anyBelow(root_, p, radius * radius, Gap()) : std::nullopt;
 }
 
-bool AtomTree::isAnyBelow(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap) const {
-  while (!isLeaf(child)) {
-    const Inner& node = inner(child);
-    const Split split = splitAt(node, p);
-    if (gap.squaredBeyond(node.axis, split.distance) < squared_radius) {
-      if (isAnyBelow(split.far, p, squared_radius, gap.beyond(node.axis, split.distance))) return true;
-    }
-    child = split.near;
+std::optional<Eigen::Vector3f> AtomTree::anyBelow(Child child, const Eigen::Vector3f& p, float squared_radius,
+                                                  const Gap& gap) const {
+  if (isLeaf(child)) {
+    const AtomBlock& block = leaf(child);
+    std::optional<Eigen::Vector3f> found;
+    forEachNear(block, p, squared_radius, [&](std::uint32_t i, float) { found = block.center(i); });
+    return found;
   }
-  bool is_any = false;
-  forEachNear(leaf(child), p, squared_radius, [&](std::uint32_t, float) { is_any = true; });
-  return is_any;
+  const Inner& node = inner(child);
+  const Split split = splitAt(node, p);
+  if (const auto found = anyBelow(split.near, p, squared_radius, gap)) return found;
+  const Gap beyond = gap.beyond(node.axis, split.distance);
+  return beyond.squared < squared_radius ? anyBelow(split.far, p, squared_radius, beyond) : std::nullopt;
 }
 
 std::optional<Neighbor> AtomTree::nearest(const Eigen::Vector3f& p, float max_distance) const {
@@ -69,8 +85,8 @@ void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t 
   const Inner& node = inner(child);
   const Split split = splitAt(node, p);
   kNearestBelow(split.near, p, k, max_squared_distance, gap, best);
-  if (gap.squaredBeyond(node.axis, split.distance) >= bound()) return;
-  kNearestBelow(split.far, p, k, max_squared_distance, gap.beyond(node.axis, split.distance), best);
+  const Gap beyond = gap.beyond(node.axis, split.distance);
+  if (beyond.squared < bound()) kNearestBelow(split.far, p, k, max_squared_distance, beyond, best);
 }
 
 }  // namespace atom_map

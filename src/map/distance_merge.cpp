@@ -43,8 +43,8 @@ void DistanceMerge::add(const DistanceCandidate& candidate, const Variance& vari
     const float told = candidate.distance + candidate.normal.dot(atom.center() - candidate.center);
     const float sum = variance(overlap) + atom.value(1);
     const float gain = sum > 0.0F ? atom.value(1) / sum : 0.0F;
-    atom.value(0) += gain * (told - atom.value(0));  // Eq. (10)
-    atom.value(1) *= 1.0F - gain;                    // Eq. (11)
+    atom.setValue(0, atom.value(0) + gain * (told - atom.value(0)));  // Eq. (10)
+    atom.setValue(1, atom.value(1) * (1.0F - gain));                  // Eq. (11)
     ++report_.updates;
   });
   if (overlaps) return;

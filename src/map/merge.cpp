@@ -48,7 +48,7 @@ OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candi
     if (occupied && distance < candidate.hold) held_.insert(atom.center());
     if (!occupied && held_.contains(atom.center())) return;
     const float log_odds = atom.value() + overlapFraction(distance / diameter_) * candidate.value;  // Eq. (3)
-    atom.value() = std::clamp(log_odds, -max_log_odds_, max_log_odds_);
+    atom.setValue(0, std::clamp(log_odds, -max_log_odds_, max_log_odds_));
     ++report_.updates;
   });
   return overlaps;

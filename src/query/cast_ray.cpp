@@ -20,13 +20,13 @@ CastRay follow(const AtomMap& map, const Eigen::Vector3f& origin, const Eigen::V
   const double step = kStep * static_cast<double>(map.radius());
   const double tolerance = kTolerance * static_cast<double>(map.radius());
   FreeWay way(map, origin, direction);
-  double free = 0.0;  // the farthest free point so far
-  double end = 0.0;
-  Occupancy met = at(end);
-  while (met == Occupancy::kFree && end < range) {
-    free = way.end(end, range);
+  double free = way.end(0.0, range);  // the farthest free point so far
+  double end = free;
+  Occupancy met = free > 0.0 ? Occupancy::kFree : at(0.0);
+  while (met == Occupancy::kFree && free < range) {
     end = std::min(free + step, range);
     met = at(end);
+    if (met == Occupancy::kFree) free = way.end(end, range);
   }
   if (met == Occupancy::kFree) return {RayEnd::kMiss, static_cast<float>(range)};
   while (end - free > tolerance) {

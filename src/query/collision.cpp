@@ -1,6 +1,7 @@
 #include "atom_mapping/query/collision.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -21,31 +22,36 @@ Vector3f pointTowards(const Vector3f& from, const Vector3f& to, float distance) 
 
 bool reachesOccupied(const AtomMap& map, const Vector3f& center, float radius) {
   bool found = false;
-  map.atoms().forEachWithin(center, radius + 2.0F * map.radius(), [&](ConstAtomRef atom, float squared_distance) {
+  const auto visit = [&](ConstAtomRef atom, float squared_distance) {
     if (found || classify(map, atom) != Occupancy::kOccupied) return;
     const float distance = std::sqrt(squared_distance);
     found = distance < radius + map.radius() ||
             classify(interpolate(map, pointTowards(center, atom.center(), radius))) == Occupancy::kOccupied;
-  });
+  };
+  map.atoms().forEachWithin(center, radius + 2.0F * map.radius(), visit, signsOfOccupied(map));
   return found;
 }
 
-// Remembers the atom that it found last, which often makes the next point known as well.
+// Remembers some of the atoms that it found, which often make the next point known as well.
 class KnownSpace {
  public:
-  explicit KnownSpace(const AtomMap& map) : map_(map), reach_(2.0F * map.radius()) {}
+  explicit KnownSpace(const AtomMap& map) : map_(map), reach_(2.0F * map.radius()) {
+    found_.fill(Vector3f::Constant(std::numeric_limits<float>::infinity()));
+  }
 
   bool contains(const Vector3f& point) {
-    if ((last_ - point).squaredNorm() < reach_ * reach_) return true;
-    const auto nearest = map_.atoms().nearest(point, reach_);
-    if (nearest) last_ = nearest->center;
-    return nearest.has_value();
+    const auto reaches = [&](const Vector3f& center) { return (center - point).squaredNorm() < reach_ * reach_; };
+    if (std::any_of(found_.begin(), found_.end(), reaches)) return true;
+    const auto found = map_.atoms().anyWithin(point, reach_);
+    if (found) found_[next_++ % found_.size()] = *found;
+    return found.has_value();
   }
 
  private:
   const AtomMap& map_;
   float reach_;
-  Vector3f last_ = Vector3f::Constant(std::numeric_limits<float>::infinity());
+  std::array<Vector3f, 4> found_;
+  std::size_t next_ = 0;
 };
 
 bool reachesUnknown(const AtomMap& map, const Vector3f& center, float radius) {

@@ -127,7 +127,7 @@ TEST_P(CombineMaps, WhereOnlyOneMapHasAtomsTheyKeepWhatTheyStore) {
     int alone = 0;
     for (const auto& [one, other] : {std::make_pair(&a, &b), std::make_pair(&b, &a)}) {
       one->atoms().forEach([&, other = other](const ConstAtomRef& atom) {
-        if (other->atoms().isAnyWithin(atom.center(), 2.001F * a.radius())) return;
+        if (other->atoms().anyWithin(atom.center(), 2.001F * a.radius())) return;
         const auto found = merged.atoms().nearest(atom.center(), 1e-3F * a.radius());
         ASSERT_TRUE(found);
         ++alone;

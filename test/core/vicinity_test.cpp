@@ -62,8 +62,44 @@ INSTANTIATE_TEST_SUITE_P(All, VicinitySearch, everyDistribution(), nameOf);
 TEST(VicinityAtom, MayBeChangedWhereItIsFound) {
   AtomTree tree = makeTree(numbered(gridOnCellBorders(), 2), kCell, 2);
   Vicinity vicinity(tree, 0.1F, 0.4F);
-  vicinity.forEachWithin(Vector3f::Zero(), [](AtomRef atom, float) { atom.value(1) = 7.0F; });
+  vicinity.forEachWithin(Vector3f::Zero(), [](AtomRef atom, float) { atom.setValue(1, 7.0F); });
   EXPECT_EQ(tree.nearest(Vector3f::Zero(), 1.0F)->values[1], 7.0F);
+}
+
+// Whoever is asked for one sign only may leave out leaves, but no atom that has or got that sign.
+TEST(VicinityAtom, IsFoundByTheSignOfItsValue) {
+  Random random(3);
+  AtomTree tree = makeTree(numbered(gridOnCellBorders(), 1), kCell, 1);
+  const auto count = [&](AtomBlock::Signs signs) {
+    int atoms = 0;
+    const auto visit = [&](ConstAtomRef atom, float) {
+      atoms += atom.value() == 0.0F || (atom.value() > 0.0F) == (signs == AtomBlock::kNotNegative);
+    };
+    tree.forEachWithin(Vector3f::Zero(), 1e3F, visit, signs);
+    return atoms;
+  };
+  for (const float share : {0.0F, 0.02F, 0.5F, 1.0F}) {
+    int negative = 0;
+    int positive = 0;
+    Vicinity vicinity(tree, 1e3F, 1e3F);
+    vicinity.forEachWithin(Vector3f::Zero(), [&](AtomRef atom, float) {
+      const float value = random.uniform() < 0.1F ? 0.0F : random.uniform() < share ? -1.0F : 1.0F;
+      negative += value <= 0.0F ? 1 : 0;
+      positive += value >= 0.0F ? 1 : 0;
+      atom.setValue(0, value);
+    });
+    ASSERT_EQ(count(AtomBlock::kNotPositive), negative) << share;
+    ASSERT_EQ(count(AtomBlock::kNotNegative), positive) << share;
+  }
+}
+
+TEST(VicinityAtom, OfASignThatNoneEverHadIsNotLookedFor) {
+  const AtomTree tree = makeTree(numbered(gridOnCellBorders(), 1), kCell, 1);  // numbered from 0
+  int visited = 0;
+  tree.forEachWithin(
+      Vector3f::Zero(), 1e3F, [&](ConstAtomRef, float) { ++visited; }, AtomBlock::kNotPositive);
+  EXPECT_GE(visited, 1) << "atom 0";
+  EXPECT_LE(visited, static_cast<int>(AtomTree::kLeafCapacity)) << "its leaf alone";
 }
 
 }  // namespace

@@ -16,6 +16,9 @@ class AtomBlock {
 
   static constexpr std::uint32_t kMaskSize = 32;  // atoms that nearMask compares at once
 
+  // Signs of first values; zero has both.
+  enum Signs : std::uint8_t { kNotNegative = 1, kNotPositive = 2, kEverySign = kNotNegative | kNotPositive };
+
   explicit AtomBlock(int value_count) : value_count_(static_cast<std::uint8_t>(value_count)) {}
 
   std::uint32_t size() const { return size_; }
@@ -24,7 +27,14 @@ class AtomBlock {
   // Channels 0, 1, 2 are x, y, z and from 3 on the values; capacity() floats each, of which the unused x are infinite.
   // Valid until the block changes.
   const float* channel(int c) const { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
-  float* channel(int c) { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
+
+  void setValue(std::uint32_t i, int v, float value) {
+    mutableChannel(3 + v)[i] = value;
+    if (v == 0) signs_ |= signsOf(value);
+  }
+
+  // Whether an atom's first value may have one of the signs: no value of a block that says no ever had, since it was made.
+  bool mayHold(Signs signs) const { return (signs_ & signs) != 0; }
 
   Eigen::Vector3f center(std::uint32_t i) const { return {channel(0)[i], channel(1)[i], channel(2)[i]}; }
 
@@ -38,6 +48,11 @@ class AtomBlock {
   // Bit i tells whether atom first + i is nearer to p than the radius, of kMaskSize atoms from `first` on, a multiple of it.
   // Without branches, four atoms at a time: most of the time of a merge is spent here.
   std::uint32_t nearMask(const Eigen::Vector3f& p, float squared_radius, std::uint32_t first = 0) const;
+
+  // The same of the straight way from `from` to `from` + `way`. `to_share`: of a point's offset from `from`, the dot product
+  // with it is the point's share of the way.
+  std::uint32_t nearMask(const Eigen::Vector3f& from, const Eigen::Vector3f& way, const Eigen::Vector3f& to_share,
+                         float squared_radius, std::uint32_t first = 0) const;
 
   // Sends for the coordinates, that a search will read soon.
   void prefetch() const {
@@ -58,16 +73,27 @@ class AtomBlock {
   std::size_t bytes() const;
 
  private:
+  using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
+  using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
+
+  float* mutableChannel(int c) { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
+  static std::uint8_t signsOf(float value) {
+    return static_cast<std::uint8_t>((value >= 0.0F ? kNotNegative : 0) | (value <= 0.0F ? kNotPositive : 0));
+  }
   void resize(std::uint32_t size);
+
+  // Bit i tells what is_near(x, y, z), of a lane's coordinates, says of atom first + i.
+  template <class IsNear>
+  std::uint32_t maskOf(std::uint32_t first, const IsNear& is_near) const;
 
   std::unique_ptr<float[]> data_;
   std::uint32_t size_ = 0;
   std::uint8_t value_count_;
+  std::uint8_t signs_ = 0;
 };
 
-inline std::uint32_t AtomBlock::nearMask(const Eigen::Vector3f& p, float squared_radius, std::uint32_t first) const {
-  using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
-  using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
+template <class IsNear>
+std::uint32_t AtomBlock::maskOf(std::uint32_t first, const IsNear& is_near) const {
   Bits bit{1, 2, 4, 8};
   Bits near{};
   const std::uint32_t end = std::min(capacity(), first + kMaskSize);
@@ -78,13 +104,36 @@ inline std::uint32_t AtomBlock::nearMask(const Eigen::Vector3f& p, float squared
     std::memcpy(&x, channel(0) + i, sizeof x);
     std::memcpy(&y, channel(1) + i, sizeof y);
     std::memcpy(&z, channel(2) + i, sizeof z);
-    x -= p.x();
-    y -= p.y();
-    z -= p.z();
-    near |= (x * x + y * y + z * z < squared_radius) & bit;
+    near |= is_near(x, y, z) & bit;
     bit <<= kLane;
   }
   return static_cast<std::uint32_t>(near[0] | near[1] | near[2] | near[3]);
+}
+
+inline std::uint32_t AtomBlock::nearMask(const Eigen::Vector3f& p, float squared_radius, std::uint32_t first) const {
+  return maskOf(first, [&](const Floats& x, const Floats& y, const Floats& z) -> Bits {
+    const Floats dx = x - p.x();
+    const Floats dy = y - p.y();
+    const Floats dz = z - p.z();
+    return dx * dx + dy * dy + dz * dz < squared_radius;
+  });
+}
+
+inline std::uint32_t AtomBlock::nearMask(const Eigen::Vector3f& from, const Eigen::Vector3f& way,
+                                         const Eigen::Vector3f& to_share, float squared_radius,
+                                         std::uint32_t first) const {
+  return maskOf(first, [&](const Floats& x, const Floats& y, const Floats& z) -> Bits {
+    const Floats dx = x - from.x();
+    const Floats dy = y - from.y();
+    const Floats dz = z - from.z();
+    Floats share = dx * to_share.x() + dy * to_share.y() + dz * to_share.z();
+    share = share > 0.0F ? share : Floats{};
+    share = share < 1.0F ? share : Floats{} + 1.0F;
+    const Floats off_x = dx - share * way.x();
+    const Floats off_y = dy - share * way.y();
+    const Floats off_z = dz - share * way.z();
+    return off_x * off_x + off_y * off_y + off_z * off_z < squared_radius;
+  });
 }
 
 }  // namespace atom_map

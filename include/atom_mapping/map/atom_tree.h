@@ -38,7 +38,8 @@ struct BasicAtomRef {
   std::uint32_t index;
 
   Eigen::Vector3f center() const { return block->center(index); }
-  auto& value(int i = 0) const { return block->channel(3 + i)[index]; }
+  float value(int v = 0) const { return block->channel(3 + v)[index]; }
+  void setValue(int v, float value) const { block->setValue(index, v, value); }
 };
 using AtomRef = BasicAtomRef<AtomBlock>;
 using ConstAtomRef = BasicAtomRef<const AtomBlock>;
@@ -62,9 +63,10 @@ class AtomTree {
   bool insert(const Eigen::Vector3f& center, const float* values);
 
   // Calls visit(ConstAtomRef, squared distance) for each atom whose centre lies nearer to p than `radius`. Who writes: see
-  // Vicinity.
+  // Vicinity. With `signs`, atoms whose first value has none of them may be left out.
   template <class Visit>
-  void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) const;
+  void forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit,
+                     AtomBlock::Signs signs = AtomBlock::kEverySign) const;
 
   // Calls visit(ConstAtomRef) for each atom whose centre lies nearer than `radius` to the straight way between two points,
   // in no particular order.
@@ -90,8 +92,8 @@ class AtomTree {
   template <class Visit>
   static void forEachNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
 
-  // Whether any atom's centre lies nearer to p than `radius`.
-  bool isAnyWithin(const Eigen::Vector3f& p, float radius) const;
+  // The centre of some atom nearer to p than `radius`, the first that is found.
+  std::optional<Eigen::Vector3f> anyWithin(const Eigen::Vector3f& p, float radius) const;
 
   // The nearest atom whose centre lies nearer to p than max_distance.
   std::optional<Neighbor> nearest(const Eigen::Vector3f& p, float max_distance) const;
@@ -133,18 +135,17 @@ class AtomTree {
   };
   // From a point to the box that a child's way through the planes leaves.
   struct Gap {
-    std::array<float, 3> along{};  // m, of each axis
+    std::array<float, 3> squared_along{};  // m^2, of each axis
     float squared = 0.0F;
 
-    // To the part of the box that begins at that distance along an axis, where that is greater.
-    float squaredBeyond(int axis, float distance) const {
-      const float before = along[static_cast<std::size_t>(axis)];
-      return squared + (distance - before) * (distance + before);
+    // To the part of the box that begins at that offset along an axis, which must be farther than it began.
+    float squaredBeyond(int axis, float offset) const {
+      return squared + (offset * offset - squared_along[static_cast<std::size_t>(axis)]);
     }
-    Gap beyond(int axis, float distance) const {
+    Gap beyond(int axis, float offset) const {
       Gap gap = *this;
-      gap.squared = squaredBeyond(axis, distance);
-      gap.along[static_cast<std::size_t>(axis)] = distance;
+      gap.squared = squaredBeyond(axis, offset);
+      gap.squared_along[static_cast<std::size_t>(axis)] = offset * offset;
       return gap;
     }
   };
@@ -154,14 +155,16 @@ class AtomTree {
     Child far;
     float distance;  // m, to the plane between them
   };
-  // A straight way's part from share `begin` to share `end` of `way`.
-  struct Segment {
-    const Eigen::Vector3f& start;
-    const Eigen::Vector3f& way;
-    float begin;
-    float end;
+  // A straight way, as the planes across each axis cut it: by shares of the way.
+  struct Way {
+    struct Axis {
+      float start;  // m
+      float shares_per_metre;
+      float reach;  // the radius and the rounding, in shares
+    };
+    std::array<Axis, 3> axes;
 
-    float coordinate(int axis, float share) const { return start[axis] + share * way[axis]; }
+    Way(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius);
   };
   // Where a child hangs: survives the growth of the node arrays, which a pointer does not.
   struct Place {
@@ -211,11 +214,14 @@ class AtomTree {
   template <class FindLeaves, class Visit>
   void visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const;
   template <class Visit>
-  void visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap, Visit&& visit) const;
+  void visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, const Gap& gap,
+                         Visit&& visit) const;
   template <class Visit>
-  void visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const;
+  void visitLeavesAlong(Child child, const Way& way, float begin, float end, Visit&& visit) const;
+  static float widenedAt(const Eigen::Vector3f& p, float radius);
   Split splitAt(const Inner& node, const Eigen::Vector3f& p) const;
-  bool isAnyBelow(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap) const;
+  std::optional<Eigen::Vector3f> anyBelow(Child child, const Eigen::Vector3f& p, float squared_radius,
+                                          const Gap& gap) const;
   void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance, const Gap& gap,
                      std::vector<Neighbor>& best) const;
 

@@ -44,24 +44,22 @@ void AtomTree::visitPrefetched(const FindLeaves& find_leaves, const Visit& visit
   for (std::size_t i = found - std::min(found, kAhead); i < found; ++i) visit(leaf(waiting[i % kAhead]));
 }
 
-// Calls visit(leaf's child reference) for each leaf whose box comes nearer to p than the radius.
+// Calls visit(leaf's child reference) for each leaf whose box comes nearer to p than the radius. `squared_radius`: widened.
 template <class Visit>
-void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, Gap gap,
+void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, const Gap& gap,
                                  Visit&& visit) const {
   while (!isLeaf(child)) {
     const Inner& node = inner(child);
-    const float plane = node.plane;
-    const float offset = p[node.axis] - plane;
+    const float offset = p[node.axis] - node.plane;
     const bool is_above = offset >= 0.0F;
-    const float distance = std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane));
-    if (gap.squaredBeyond(node.axis, distance) >= squared_radius) {
+    if (gap.squaredBeyond(node.axis, offset) >= squared_radius) {
       child = node.children[is_above ? 1 : 0];
       continue;
     }
-    const Gap beyond = gap.beyond(node.axis, distance);
+    const Gap beyond = gap.beyond(node.axis, offset);
     visitLeavesWithin(node.children[0], p, squared_radius, is_above ? beyond : gap, visit);
-    if (!is_above) gap = beyond;
-    child = node.children[1];
+    visitLeavesWithin(node.children[1], p, squared_radius, is_above ? gap : beyond, visit);
+    return;
   }
   visit(child);
 }
@@ -77,10 +75,15 @@ void AtomTree::forEachNear(const AtomBlock& block, const Eigen::Vector3f& p, flo
 }
 
 template <class Visit>
-void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit) const {
+void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& visit, AtomBlock::Signs signs) const {
   if (size_ == 0) return;
   const float squared_radius = radius * radius;
-  const auto find_leaves = [&](const auto& found) { visitLeavesWithin(root_, p, squared_radius, Gap(), found); };
+  const float widened = widenedAt(p, radius);
+  const auto find_leaves = [&](const auto& found) {
+    visitLeavesWithin(root_, p, widened * widened, Gap(), [&](Child child) {
+      if (leaf(child).mayHold(signs)) found(child);
+    });
+  };
   visitPrefetched(find_leaves, [&](const AtomBlock& block) {
     forEachNear(block, p, squared_radius, [&](std::uint32_t i, float squared_distance) {
       visit(ConstAtomRef{&block, i}, squared_distance);
@@ -88,29 +91,22 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
   });
 }
 
-// Calls visit(leaf's child reference) for each leaf whose side of every split comes nearer to the part than `radius`. Of
-// the part, each side gets what is near to it.
+// Calls visit(leaf's child reference) for each leaf whose side of every split comes nearer to the way than its radius. Of the
+// way from share `begin` to share `end`, each side gets what is near to it.
 template <class Visit>
-void AtomTree::visitLeavesAlong(Child child, Segment part, float radius, Visit&& visit) const {
+void AtomTree::visitLeavesAlong(Child child, const Way& way, float begin, float end, Visit&& visit) const {
   while (!isLeaf(child)) {
     const Inner& node = inner(child);
-    const float plane = node.plane;
-    const float way = part.way[node.axis];
-    const float reach = radius + 4.0F * kRounding * (std::abs(plane) + radius + std::abs(way));
-    const float begin = part.coordinate(node.axis, part.begin) - plane;
-    const float end = part.coordinate(node.axis, part.end) - plane;
-    const bool below = std::min(begin, end) < reach;
-    const bool above = std::max(begin, end) >= -reach;
-    if (below && above) {
-      const auto share_at = [&](float offset) { return (plane + offset - part.start[node.axis]) / way; };
-      Segment lower = part;
-      if (end > reach) lower.end = share_at(reach);
-      if (begin > reach) lower.begin = share_at(reach);
-      if (begin < -reach) part.begin = share_at(-reach);
-      if (end < -reach) part.end = share_at(-reach);
-      visitLeavesAlong(node.children[0], lower, radius, visit);
+    const Way::Axis& axis = way.axes[node.axis];
+    const float crossing = (node.plane - axis.start) * axis.shares_per_metre;
+    const bool meets_first = begin < crossing + axis.reach;
+    const bool meets_second = end >= crossing - axis.reach;
+    const std::size_t first = axis.shares_per_metre < 0.0F ? 1 : 0;
+    if (meets_first && meets_second) {
+      visitLeavesAlong(node.children[first], way, begin, std::min(end, crossing + axis.reach), visit);
+      begin = std::max(begin, crossing - axis.reach);
     }
-    child = node.children[above ? 1 : 0];
+    child = node.children[meets_second ? 1 - first : first];
   }
   visit(child);
 }
@@ -122,27 +118,13 @@ void AtomTree::forEachAlong(const Eigen::Vector3f& from, const Eigen::Vector3f& 
   const float squared_length = way.squaredNorm();
   const Eigen::Vector3f to_share = squared_length > 0.0F ? Eigen::Vector3f(way / squared_length) : way;
   const float squared_radius = radius * radius;
-  const Segment whole{from, way, 0.0F, 1.0F};
-  const auto find_leaves = [&](const auto& found) { visitLeavesAlong(root_, whole, radius, found); };
+  const Way cut(from, to, radius);
+  const auto find_leaves = [&](const auto& found) { visitLeavesAlong(root_, cut, 0.0F, 1.0F, found); };
   visitPrefetched(find_leaves, [&](const AtomBlock& block) {
-    const float* x = block.channel(0);
-    const float* y = block.channel(1);
-    const float* z = block.channel(2);
-    std::array<float, AtomBlock::kLane> squared{};
-    for (std::uint32_t lane = 0; lane < block.size(); lane += AtomBlock::kLane) {
-      for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
-        const float dx = x[lane + i] - from.x();
-        const float dy = y[lane + i] - from.y();
-        const float dz = z[lane + i] - from.z();
-        const float along = dx * to_share.x() + dy * to_share.y() + dz * to_share.z();
-        const float share = std::min(std::max(along, 0.0F), 1.0F);
-        const float off_x = dx - share * way.x();
-        const float off_y = dy - share * way.y();
-        const float off_z = dz - share * way.z();
-        squared[i] = off_x * off_x + off_y * off_y + off_z * off_z;
-      }
-      for (std::uint32_t i = 0; i < AtomBlock::kLane; ++i) {
-        if (squared[i] < squared_radius) visit(ConstAtomRef{&block, lane + i});
+    for (std::uint32_t first = 0; first < block.size(); first += AtomBlock::kMaskSize) {
+      for (std::uint32_t mask = block.nearMask(from, way, to_share, squared_radius, first); mask != 0;
+           mask &= mask - 1) {
+        visit(ConstAtomRef{&block, first + static_cast<std::uint32_t>(__builtin_ctz(mask))});
       }
     }
   });

@@ -24,6 +24,11 @@ inline Occupancy classify(const AtomMap& map, ConstAtomRef atom) {
   return classify(map.mode() == Mode::kOccupancy ? atom.value() : -atom.value());
 }
 
+// Of the atoms' first values those that classify() calls occupied.
+inline AtomBlock::Signs signsOfOccupied(const AtomMap& map) {
+  return map.mode() == Mode::kOccupancy ? AtomBlock::kNotNegative : AtomBlock::kNotPositive;
+}
+
 // Of log-odds; 0.5 where unknown. Occupancy mode only.
 float probability(std::optional<float> log_odds);
 
