@@ -19,7 +19,10 @@ TEST_F(MapFile, EveryVoxelOfTheOctreeIsWhatTheMapSaysOfItsCentre) {
     const AtomMap drawn = drawMap(parametersOf(Mode::kOccupancy), 3000, 1);
     AtomMap map(Mode::kOccupancy, 0.25);
     map.anchor(origin);
-    drawn.atoms().forEach([&](const ConstAtomRef& atom) { map.atoms().insert(atom.center(), &atom.value()); });
+    drawn.atoms().forEach([&](const ConstAtomRef& atom) {
+      const float log_odds = atom.value();
+      map.atoms().insert(atom.center(), &log_odds);
+    });
     exportOctree(map, path("map.bt"));
     octomap::OcTree tree(1.0);
     ASSERT_TRUE(tree.readBinary(path("map.bt")));
