@@ -128,7 +128,8 @@ TEST_F(CompareMaps, AnOctomapOfEveryReturnIsThatWithoutTheFilter) {
   const json& every = figures.at("maps")[3];
   const json whole = compare("--radius 0.5 --no-filter").at("maps")[2];
   EXPECT_EQ(every.at("name"), "octomap_every_return");
-  for (const char* key : {"units", "free", "false_occupied", "unknown", "surface"}) EXPECT_EQ(every.at(key), whole.at(key));
+  for (const char* key : {"units", "free", "false_occupied", "unknown", "surface"})
+    EXPECT_EQ(every.at(key), whole.at(key));
   EXPECT_GT(every.at("units"), figures.at("maps")[2].at("units"));
 }
 

@@ -25,7 +25,8 @@ def figuresOf(name, milliseconds, size):
 
 def write(folder):
     """Figures of one drive, of one slope, and what was run."""
-    maps = [figuresOf('atom_occupancy', 2.0, 3e6), figuresOf('octomap', 8.0, 30e6)]
+    maps = [figuresOf('atom_occupancy', 2.0, 3e6), figuresOf('octomap', 8.0, 30e6),
+            figuresOf('octomap_every_return', 20.0, 60e6)]
     (folder / 'compare_hall.json').write_text(json.dumps({'radius': 0.5, 'scans': 3, 'maps': maps}))
     (folder / 'ground.json').write_text(json.dumps({'slope': 10.0, 'maps': [{'name': 'octomap', 'ground_kept': 0.25}]}))
     (folder / 'run.txt').write_text('command: none\n')
@@ -53,6 +54,8 @@ class EvaluationTest(unittest.TestCase):
         self.assertEqual(text.count('- command: none\n'), 1)
         row = '| LBNL | hall | 0.5 | atoms, occupancy | 18.9 (0.94) | 3.000 (0.10) | 20.0 (1.52) | 2.00 (0.25) | 2.00 (0.25) |'
         self.assertEqual(text.count(row), 1)
+        shares = '| hall | 3 | 0.5 | atoms, occupancy | 2.00 | 9.00 | 2.00 | 0.25 | 0.10 | 3,000 | 0.100 | 0.050 | 7 |'
+        self.assertEqual(text.count(shares), 1)
         self.assertIn('| OctoMap | 0.250 |', text)
 
 
