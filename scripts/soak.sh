@@ -43,6 +43,8 @@ if [[ ${#light[@]} -gt 0 ]] && command -v Xvfb >/dev/null; then
   until [[ -s $output/display ]]; do sleep 0.1; done
   DISPLAY=:$(<"$output/display") LIBGL_ALWAYS_SOFTWARE=1 rviz -d "$repository/rviz/atom_mapping.rviz" >"$output/rviz.log" 2>&1 &
   pids+=($!)
+elif [[ ${#light[@]} -gt 0 ]]; then
+  echo 'SKIPPED: rviz, since Xvfb is not installed'
 fi
 /usr/bin/python3 "$repository/scripts/soak/soak.py" "${light[@]}" --bag "$output/hall.bag" --minutes "$minutes" --node "$node" \
   --output "$output"
