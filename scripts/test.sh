@@ -66,7 +66,7 @@ checkSanitized() {
   cmake --build "$build" -j "$jobs" || return 1
   builds+=("$build")
   # The thread sanitizer of GCC 12 does not bear the address space layout of newer kernels.
-  (cd "$build" && setarch -R ctest -j "$jobs" --output-on-failure)
+  (cd "$build" && setarch -R ctest -j "$jobs" --timeout 900 --output-on-failure)
 }
 
 before=$(fingerprint)

@@ -21,6 +21,7 @@ namespace atom_map {
 namespace {
 
 constexpr std::size_t kLongestFault = 4096;  // bytes, which a pipe holds
+constexpr unsigned kPatience = 6;            // seconds by the clock for one of CPU time
 
 struct Pipe {
   int out = -1;
@@ -72,7 +73,8 @@ std::size_t bytesMapped() {
                             std::size_t memory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::signal(SIGPIPE, SIG_IGN);
-  for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE}) std::signal(fatal, SIG_DFL);
+  for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGALRM}) std::signal(fatal, SIG_DFL);
+  ::alarm(kPatience * seconds);  // a lock that another thread held takes no CPU time
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, seconds);
   limit(RLIMIT_AS, memory);

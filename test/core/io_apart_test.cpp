@@ -1,5 +1,6 @@
 // Whatever becomes of the process that works, whoever asked it gets the bytes or the reason.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <memory>
@@ -51,6 +52,14 @@ void workForEver(const Apart::Send& /*send*/) {
 
 TEST(WorkApart, ItEndsWithItsTime) {
   EXPECT_EQ(whyNot(workForEver), "reading it ended by signal " + std::to_string(SIGXCPU));
+}
+
+// As it would for a lock that another thread held when the process was forked.
+TEST(WorkApart, ItEndsWithItsTimeThoughItOnlyWaits) {
+  const auto wait = [](const auto&) {
+    for (;;) pause();
+  };
+  EXPECT_EQ(whyNot(wait), "reading it ended by signal " + std::to_string(SIGALRM));
 }
 
 TEST(WorkApart, ItEndsWithWhoeverStartedIt) {

@@ -14,7 +14,8 @@ class Apart {
  public:
   using Send = std::function<void(const void* bytes, std::size_t size)>;
 
-  // Starts work(send), which may take `seconds` of CPU time and kMemory beyond what this process has.
+  // Starts work(send), which may take `seconds` of CPU time, six times as long by the clock, and kMemory beyond what this
+  // process has.
   Apart(const std::function<void(const Send&)>& work, unsigned seconds);
   ~Apart();  // ends it, done or not
   Apart(const Apart&) = delete;
