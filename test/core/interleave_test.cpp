@@ -79,6 +79,47 @@ TEST(Interleaving, LeavesNothingAsOftenAsIndependentDrawsDo) {
   }
 }
 
+// One may be looked up an eighth of a radius too near or too far.
+float keptAt(float distance, float resolution) {
+  return keepProbability(overlapCount(touchingAngle(kRadius, distance), 1.0F / resolution), 1.0F);
+}
+
+TEST(Interleaving, AlongARayEachStaysByItsProbabilityAndTheirNumberByTheSumOfThem) {
+  constexpr int kRays = 20000;
+  constexpr float kStep = kRadius / 8.0F;
+  for (const float resolution : {0.0035F, 0.02F, 0.3F}) {
+    for (const float distance : {24.0F, 10.13F, 2.0F * kRadius, 0.3F * kRadius, 1e-4F}) {
+      Random random(7);
+      Interleaver interleaver(kRadius, 1.0F, kMaxDistance, random);
+      const auto count = static_cast<std::uint32_t>(std::ceil(distance / (2.0F * kRadius)));
+      float least = 0.0F;
+      float most = 0.0F;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const float along = distance - 2.0F * kRadius * static_cast<float>(i);
+        least += keptAt(std::max(along - kStep, 1e-4F), resolution);
+        most += keptAt(along + kStep, resolution);
+      }
+      std::vector<int> kept(count, 0);
+      for (int ray = 0; ray < kRays; ++ray) {
+        float number = 0.0F;
+        interleaver.keepAlong(distance, count, resolution, [&](std::uint32_t i) {
+          ++kept.at(i);
+          ++number;
+        });
+        ASSERT_GE(number, std::floor(least)) << distance << " m, " << resolution;
+        ASSERT_LE(number, std::ceil(most)) << distance << " m, " << resolution;
+      }
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const float along = distance - 2.0F * kRadius * static_cast<float>(i);
+        const double share = static_cast<double>(kept[i]) / kRays;
+        const double error = kSigmas * std::sqrt(0.25 / kRays);
+        EXPECT_GE(share, keptAt(std::max(along - kStep, 1e-4F), resolution) - error) << i << " of " << count;
+        EXPECT_LE(share, keptAt(along + kStep, resolution) + error) << i << " of " << count;
+      }
+    }
+  }
+}
+
 TEST(Interleaving, SameSeedDrawsTheSameAndAnotherSeedOthers) {
   const auto draws = [](std::uint64_t seed) {
     Random random(seed);

@@ -46,39 +46,45 @@ class Interleaver {
   // chances have added up to one more (systematic sampling). So it takes one number a ray, and long gaps are rarer.
   template <class Visit>
   void keepAlong(float distance, std::uint32_t count, float angular_resolution, Visit&& visit) {
-    const float rays_per_radian = 1.0F / angular_resolution;
-    const float lambda = lambda_;
-    const float* const touching_angles = touching_angles_.data();
-    auto step = static_cast<std::int32_t>(distance * steps_per_metre_);
-    assert(count == 0 || static_cast<std::size_t>(step) < touching_angles_.size());
+    if (count == 0) return;
+    findChances(distance, count, 1.0F / angular_resolution);
     // Without branches: which candidates stay is hard to foretell.
-    kept_.resize(std::max<std::size_t>(kept_.size(), count + 1));
+    auto sum = static_cast<std::uint32_t>(random_.next() >> 32);
     std::uint32_t* end = kept_.data();
-    float sum = random_.uniform();
     for (std::uint32_t i = 0; i < count; ++i) {
-      sum += keepProbability(overlapCount(touching_angles[step], rays_per_radian), lambda);
-      step = std::max(step - kStepsPerDiameter, 0);
-      const bool stays = sum >= 1.0F;
+      const std::uint32_t next = sum + static_cast<std::uint32_t>(chances_[i]);
       *end = i;
-      end += stays ? 1 : 0;
-      sum -= stays ? 1.0F : 0.0F;
+      end += (sum ^ next) / kOne & 1U;  // whether it came past a multiple of kOne
+      sum = next;
     }
     std::for_each(kept_.data(), end, visit);
   }
 
  private:
-  static constexpr std::int32_t kStepsPerDiameter = 16;
+  static constexpr std::uint32_t kStepsPerDiameter = 16;
+  static constexpr std::uint32_t kOne = 1U << 30U;  // a chance of 1: numbers of a fixed point add up in one step
+
+  // Of candidates that far from the sensor: it and all that lie whole diameters nearer follow one another, down to the sensor.
+  const float* touchingAngles(float distance) const {
+    const auto step = static_cast<std::uint32_t>(distance * steps_per_metre_);
+    const std::uint32_t diameters = step / kStepsPerDiameter;
+    assert(distance >= 0.0F && diameters < diameters_);
+    return touching_angles_.data() + step % kStepsPerDiameter * (diameters_ + 1) + (diameters_ - 1 - diameters);
+  }
 
   float probability(float distance, float rays_per_radian) const {
-    const auto step = static_cast<std::int32_t>(distance * steps_per_metre_);
-    assert(step >= 0 && static_cast<std::size_t>(step) < touching_angles_.size());
-    return keepProbability(overlapCount(touching_angles_[step], rays_per_radian), lambda_);
+    return keepProbability(overlapCount(*touchingAngles(distance), rays_per_radian), lambda_);
   }
+
+  // Of the candidates of the ray at hand, in fractions of kOne.
+  void findChances(float distance, std::uint32_t count, float rays_per_radian);
 
   float lambda_;
   float steps_per_metre_;
-  std::vector<float> touching_angles_;  // over distance
-  std::vector<std::uint32_t> kept_;     // of the ray at hand
+  std::uint32_t diameters_;             // to the farthest
+  std::vector<float> touching_angles_;  // for each fraction of a diameter: by whole ones, from far to the sensor itself
+  std::vector<std::int32_t> chances_;   // of the ray at hand
+  std::vector<std::uint32_t> kept_;     // of them
   Random& random_;
 };
 
