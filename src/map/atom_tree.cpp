@@ -32,7 +32,7 @@ bool AtomTree::insert(const Eigen::Vector3f& center, const float* values) {
     return true;
   }
   changeLeaf(at(place), [&](AtomBlock& block) { block.push(center, values); });
-  return splitIfOverfull(place) || size_ == 1;
+  return splitIfOverfull(place) || size_ == 1 || leaf(at(place)).size() > kLeafCapacity;
 }
 
 // Each side keeps its atoms in their order, and so does a leaf made of two: a tree made of another's atoms, in that one's

@@ -46,7 +46,8 @@ OccupancyMerge::Overlaps OccupancyMerge::updateOverlapped(const Candidate& candi
     const float distance = std::sqrt(squared_distance);
     overlaps.add(candidate.center - atom.center(), distance, diameter_);
     if (occupied && distance < candidate.hold) held_.insert(atom.center());
-    if (!occupied && held_.contains(atom.center())) return;
+    // At the clamp it was not raised, and cannot be lowered.
+    if (!occupied && (atom.value() == -max_log_odds_ || held_.contains(atom.center()))) return;
     const float log_odds = atom.value() + overlapFraction(distance / diameter_) * candidate.value;  // Eq. (3)
     atom.setValue(0, std::clamp(log_odds, -max_log_odds_, max_log_odds_));
     ++report_.updates;

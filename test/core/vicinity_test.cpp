@@ -59,6 +59,22 @@ TEST_P(VicinitySearch, ForgetsWhatOthersHaveRemoved) {
 
 INSTANTIATE_TEST_SUITE_P(All, VicinitySearch, everyDistribution(), nameOf);
 
+// A leaf holds all atoms of a cell, however many, and more than are compared at once.
+TEST(VicinityAtom, IsFoundInALeafThatGrowsBeyondItsCapacity) {
+  AtomTree tree(kCell, 1);
+  Vicinity vicinity(tree, kCell, 4.0F * kCell);
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    const Vector3f center = Vector3f::Constant(0.25F * kCell) + drawWithin(random, 0.1F * kCell);
+    int atoms = 0;
+    vicinity.forEachWithin(center, [&](AtomRef atom, float) { atoms += atom.value() < static_cast<float>(i) ? 1 : 0; });
+    ASSERT_EQ(atoms, i);
+    const auto value = static_cast<float>(i);
+    vicinity.insert(center, &value);
+  }
+  EXPECT_EQ(tree.depth(), 0U);
+}
+
 TEST(VicinityAtom, MayBeChangedWhereItIsFound) {
   AtomTree tree = makeTree(numbered(gridOnCellBorders(), 2), kCell, 2);
   Vicinity vicinity(tree, 0.1F, 0.4F);

@@ -59,7 +59,8 @@ class AtomTree {
   // hold every plane exactly. `value_count`: floats that an atom stores, 1 or 2.
   AtomTree(float cell, int value_count);
 
-  // Coordinates must be finite. `values` points to value_count floats. Returns whether leaves were added or moved.
+  // Coordinates must be finite. `values` points to value_count floats. Returns whether leaves were added or moved, or
+  // one holds more than kLeafCapacity.
   bool insert(const Eigen::Vector3f& center, const float* values);
 
   // Calls visit(ConstAtomRef, squared distance) for each atom whose centre lies nearer to p than `radius`. Who writes: see

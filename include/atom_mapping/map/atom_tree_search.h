@@ -155,6 +155,8 @@ void AtomTree::visitBoxes(Child child, const Eigen::AlignedBox3f& box, Eigen::Al
     const bool below = box.min()[node.axis] < node.plane;
     const bool above = box.max()[node.axis] >= node.plane;
     if (below && above) {
+      const Child later = node.children[1];
+      __builtin_prefetch(isLeaf(later) ? static_cast<const void*>(&leaf(later)) : &inner(later));
       Eigen::AlignedBox3f lower = bounds;
       lower.max()[node.axis] = node.plane;
       visitBoxes(node.children[0], box, lower, visit);

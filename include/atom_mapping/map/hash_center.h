@@ -15,7 +15,7 @@ struct HashCenter {
     std::uint32_t z = 0;
     std::memcpy(&xy, center.data(), sizeof xy);
     std::memcpy(&z, center.data() + 2, sizeof z);
-    return mixBits(mixBits(xy) + z);
+    return mixBits(xy * 0x9e3779b97f4a7c15ULL + z);
   }
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "atom_mapping/map/atom_tree.h"
@@ -13,54 +15,85 @@ namespace atom_map {
 class Vicinity {
  public:
   // `radius` of every search and `block`, the side of the blocks that space is cut into, in metres. The tree must outlive this.
-  Vicinity(AtomTree& atoms, float radius, float block) : atoms_(atoms), radius_(radius), side_(block) {}
+  Vicinity(AtomTree& tree, float radius, float block) : tree_(tree), radius_(radius), side_(block) {}
 
   // Calls visit(AtomRef, squared distance) for each atom whose centre lies nearer to p than the radius.
   template <class Visit>
   void forEachWithin(const Eigen::Vector3f& p, Visit&& visit);
 
   void insert(const Eigen::Vector3f& center, const float* values) {
-    if (atoms_.insert(center, values)) forget();
+    if (tree_.insert(center, values)) forget();
   }
 
   // To be called when anyone else may have changed the tree.
   void forget() { leaves_.clear(); }
 
  private:
-  struct Leaf {
+  static constexpr std::uint32_t kLane = 4;
+  using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
+  using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
+
+  // Some atoms of a leaf, from `first` on: as many as nearMask compares at once, which are all but of the fullest.
+  struct Atoms {
     AtomBlock* block;
-    Eigen::AlignedBox3f box;  // that holds its atoms
+    std::uint32_t first;
+
+    std::uint64_t nearMask(const Eigen::Vector3f& p, float squared_radius) const {
+      return block->nearMask(p, squared_radius, first);
+    }
+  };
+
+  // The boxes that hold the atoms of four leaves; at first none meets anything.
+  struct Boxes {
+    std::array<Floats, 3> min;
+    std::array<Floats, 3> max;
+
+    Boxes() {
+      min.fill(Floats{} + std::numeric_limits<float>::infinity());
+      max.fill(Floats{} - std::numeric_limits<float>::infinity());
+    }
+    Bits meet(const Eigen::Vector3f& p, float radius) const {
+      const auto along = [&](int axis) { return (min[axis] - p[axis] < radius) & (p[axis] - max[axis] < radius); };
+      return along(0) & along(1) & along(2);
+    }
   };
 
   void lookUp(const Eigen::Vector3f& p);
+  void add(const Atoms& atoms, const Eigen::AlignedBox3f& box);
 
-  AtomTree& atoms_;
+  AtomTree& tree_;
   float radius_;
   float side_;
   Eigen::AlignedBox3f block_;  // whose searches the leaves serve
-  std::vector<Leaf> leaves_;
-  std::vector<AtomBlock*> near_;
+  std::vector<Atoms> leaves_;  // and some that hold nothing, up to whole lanes
+  std::vector<Boxes> boxes_;   // of each four leaves
+  std::vector<Atoms> near_;    // of the search at hand
+  AtomBlock empty_{1};
 };
 
 template <class Visit>
 void Vicinity::forEachWithin(const Eigen::Vector3f& p, Visit&& visit) {
   if (leaves_.empty() || !block_.contains(p)) lookUp(p);
   // Without branches: which leaves a search meets is hard to foretell.
-  near_.resize(leaves_.size());
-  std::size_t count = 0;
-  for (const Leaf& leaf : leaves_) {
-    near_[count] = leaf.block;
-    const auto meets = [&](int axis) {
-      return std::size_t{leaf.box.min()[axis] - p[axis] < radius_} &
-             std::size_t{p[axis] - leaf.box.max()[axis] < radius_};
-    };
-    count += meets(0) & meets(1) & meets(2);
+  Atoms* end = near_.data();
+  for (std::size_t four = 0; four < boxes_.size(); ++four) {
+    const Bits meet = boxes_[four].meet(p, radius_);
+    for (std::uint32_t lane = 0; lane < kLane; ++lane) {
+      *end = leaves_[four * kLane + lane];
+      end -= meet[lane];  // -1 where it does
+    }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    AtomBlock& block = *near_[i];
-    AtomTree::forEachNear(block, p, radius_ * radius_, [&](std::uint32_t atom, float squared_distance) {
-      visit(AtomRef{&block, atom}, squared_distance);
-    });
+  *end = {&empty_, 0};
+  // Two leaves at once, since it is hard to foretell too how many atoms of one are near.
+  const float squared_radius = radius_ * radius_;
+  for (const Atoms* two = near_.data(); two < end; two += 2) {
+    std::uint64_t mask = two[0].nearMask(p, squared_radius) | two[1].nearMask(p, squared_radius) << 32U;
+    for (; mask != 0; mask &= mask - 1) {
+      const auto bit = static_cast<std::uint32_t>(__builtin_ctzll(mask));
+      const Atoms& atoms = two[bit / 32];
+      const std::uint32_t index = atoms.first + bit % 32;
+      visit(AtomRef{atoms.block, index}, atoms.block->squaredDistance(index, p));
+    }
   }
 }
 
