@@ -7,6 +7,8 @@
 namespace atom_map {
 namespace {
 
+constexpr std::size_t kCandidatesPerBlock = 8;  // about
+
 // The first candidate of each cell that none was taken from yet, block by block.
 template <class AnyCandidate>
 std::vector<AnyCandidate> firstOfEachCell(const std::vector<AnyCandidate>& candidates, CellSet& taken) {
@@ -26,7 +28,7 @@ std::vector<AnyCandidate> firstOfEachCell(const std::vector<AnyCandidate>& candi
 }  // namespace
 
 Candidates filterCandidates(const Candidates& candidates, float cell_size) {
-  CellSet taken(cell_size);
+  CellSet taken(cell_size, candidates.size() / kCandidatesPerBlock);
   Candidates kept;
   kept.proposed = candidates.proposed;
   kept.occupied = firstOfEachCell(candidates.occupied, taken);
@@ -35,7 +37,7 @@ Candidates filterCandidates(const Candidates& candidates, float cell_size) {
 }
 
 DistanceCandidates filterCandidates(const DistanceCandidates& candidates, float cell_size) {
-  CellSet taken(cell_size);
+  CellSet taken(cell_size, candidates.size() / kCandidatesPerBlock);
   DistanceCandidates kept;
   kept.proposed = candidates.proposed;
   kept.behind = firstOfEachCell(candidates.behind, taken);

@@ -11,8 +11,6 @@
 namespace atom_map {
 namespace {
 
-constexpr float kMinFacing = 0.05F;  // cosine between normal and ray: a plane seen more obliquely is the edge of a step
-
 // Weighted sum of the squared distances from a plane, in units of their tolerance and at most one. The normal may have any
 // length; the plane passes `offset` lengths of it from the point.
 float disagreement(const Neighborhood& neighbors, const Eigen::Vector3f& normal, float offset = 0.0F) {

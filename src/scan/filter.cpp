@@ -54,11 +54,14 @@ void sortReturns(const LidarScan& scan, const ScanParameters& parameters, Filter
 // One point of each cell, every one with the same probability: that with the greatest number drawn.
 void thin(FilteredScan& scan, float cell_size, Random& random) {
   constexpr std::uint64_t kNumber = ~std::uint64_t{0} << 32;  // beneath it, which of the rays it is
-  CellTable<std::uint64_t> cells(cell_size);
+  constexpr std::size_t kPointsPerCell = 4;                   // about
   const auto count = static_cast<std::uint32_t>(scan.rays.size());
+  CellTable<std::uint64_t> cells(cell_size, count / kPointsPerCell);
+  std::uint64_t draw = 0;  // for two rays
   for (std::uint32_t i = 0; i < count; ++i) {
+    draw = i % 2 == 0 ? random.next() : draw << 32U;
     std::uint64_t& greatest = cells.at(scan.points[scan.rays[i]]);
-    greatest = std::max(greatest, (random.next() & kNumber) | i);
+    greatest = std::max(greatest, (draw & kNumber) | i);
   }
   std::vector<std::uint8_t> is_kept(count, 0);
   cells.forEach([&](std::uint64_t greatest) { is_kept[greatest & ~kNumber] = 1; });

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "atom_mapping/base/cell_hash.h"
 #include "atom_mapping/base/floor_to_int.h"
-#include "atom_mapping/base/random.h"
 
 namespace atom_map {
 
@@ -14,7 +14,9 @@ namespace atom_map {
 template <class Value>
 class CellTable {
  public:
-  explicit CellTable(float cell_size) : cells_per_metre_(1.0F / cell_size), slots_(8192) {}
+  // Quickest where it is asked for about as many cells as expected.
+  CellTable(float cell_size, std::size_t expected_cells)
+      : cells_per_metre_(1.0F / cell_size), slots_(slotsFor(expected_cells)) {}
 
   // The value of the cell that holds the point, made from Value() at the first call. Valid until the next call.
   Value& at(const Eigen::Vector3f& point) {
@@ -38,23 +40,20 @@ class CellTable {
   }
 
  private:
-  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};  // keyOf never gives it: it uses 63 bits
+  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};  // no cell's key
   struct Slot {
     std::uint64_t key = kEmpty;
     Value value{};
   };
 
   std::uint64_t keyOf(const Eigen::Vector3f& p) const {
-    constexpr std::int32_t kMask = (1 << 21) - 1;
-    const auto cell = [&](int axis) {
-      return static_cast<std::uint64_t>(floorToInt(p[axis] * cells_per_metre_) & kMask);
-    };
-    return cell(0) << 42 | cell(1) << 21 | cell(2);
+    const auto cell = [&](int axis) { return floorToInt(p[axis] * cells_per_metre_); };
+    return cellKey(cell(0), cell(1), cell(2));
   }
 
   // The one that holds the key, or the empty one where it belongs.
   Slot& slotOf(std::uint64_t key) {
-    std::size_t i = mixBits(key) & (slots_.size() - 1);
+    std::size_t i = firstSlot(key, slots_.size());
     while (slots_[i].key != kEmpty && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
     return slots_[i];
   }
