@@ -61,7 +61,7 @@ bool AtomTree::splitIfOverfull(Place place) {
 
 AtomTree::Child AtomTree::newLeaf() {
   if (free_leaves_.empty()) {
-    leaves_.emplace_back(value_count_);
+    leaves_.emplaceBack(value_count_);
     return ~static_cast<Child>(leaves_.size() - 1);
   }
   const Child child = free_leaves_.back();
@@ -77,7 +77,7 @@ AtomTree::Child AtomTree::newInner(int level, const Eigen::Vector3f& side_of, Ch
              static_cast<std::uint8_t>(CellKey::axisOf(level))};
   if (node.side(side_of) == 1) std::swap(node.children[0], node.children[1]);
   if (free_inners_.empty()) {
-    inners_.push_back(node);
+    inners_.emplaceBack(node);
     return static_cast<Child>(inners_.size() - 1);
   }
   const Child place = free_inners_.back();
@@ -102,18 +102,16 @@ void AtomTree::clear() {
 }
 
 std::size_t AtomTree::bytes() const {
-  return inners_.capacity() * sizeof(Inner) + leaves_.capacity() * sizeof(AtomBlock) +
-         (free_inners_.capacity() + free_leaves_.capacity()) * sizeof(Child) + block_bytes_;
+  return inners_.bytes() + leaves_.bytes() + (free_inners_.capacity() + free_leaves_.capacity()) * sizeof(Child) +
+         block_bytes_;
 }
 
-// An insertion takes a lane in a block, or it splits a leaf, which adds a node of each kind. An array that is full doubles.
+// An insertion takes a lane in a block, or it splits a leaf, which adds a node of each kind.
 std::size_t AtomTree::bytesAfterInsert() const {
-  const auto growth = [](const auto& array, const std::vector<Child>& free) {
-    return free.empty() && array.size() == array.capacity() ? std::max<std::size_t>(array.size(), 1) * sizeof(array[0])
-                                                            : 0;
-  };
+  const std::size_t nodes =
+      (free_inners_.empty() ? inners_.growth() : 0) + (free_leaves_.empty() ? leaves_.growth() : 0);
   const std::size_t split = 2 * AtomBlock::kLane * (3U + static_cast<unsigned>(value_count_)) * sizeof(float) + 16;
-  return bytes() + split + growth(inners_, free_inners_) + growth(leaves_, free_leaves_);
+  return bytes() + split + nodes;
 }
 
 std::size_t AtomTree::depth() const {

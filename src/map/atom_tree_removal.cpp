@@ -118,18 +118,17 @@ AtomTree::Child AtomTree::joined(Child child, const std::array<Child, 2>& childr
 
 void AtomTree::compactIfMostlyEmpty() {
   const std::size_t used = leaves_.size() - free_leaves_.size();
-  if (leaves_.capacity() > 2 * used + kSpareNodes) compact(used / 4);
+  if (leaves_.size() > 2 * used + kSpareNodes) compact();
 }
 
-// Moves the nodes to arrays that have room for so many more.
-void AtomTree::compact(std::size_t spare_nodes) {
+// Moves the nodes to arrays that hold no others.
+void AtomTree::compact() {
   if (size_ == 0) return;
-  const std::size_t used = leaves_.size() - free_leaves_.size();
-  std::vector<Inner> inners;
-  std::vector<AtomBlock> leaves;
-  inners.reserve(used - 1 + spare_nodes);
-  leaves.reserve(used + spare_nodes);
+  ChunkedArray<Inner> inners;
+  ChunkedArray<AtomBlock> leaves;
   root_ = moveBelow(root_, inners, leaves);
+  inners.shrink();
+  leaves.shrink();
   inners_ = std::move(inners);
   leaves_ = std::move(leaves);
   free_inners_ = {};
@@ -137,13 +136,13 @@ void AtomTree::compact(std::size_t spare_nodes) {
 }
 
 // Returns where the child lies in the new arrays.
-AtomTree::Child AtomTree::moveBelow(Child child, std::vector<Inner>& inners, std::vector<AtomBlock>& leaves) {
+AtomTree::Child AtomTree::moveBelow(Child child, ChunkedArray<Inner>& inners, ChunkedArray<AtomBlock>& leaves) {
   if (isLeaf(child)) {
-    leaves.push_back(std::move(leaf(child)));
+    leaves.emplaceBack(std::move(leaf(child)));
     return ~static_cast<Child>(leaves.size() - 1);
   }
   const std::size_t place = inners.size();
-  inners.push_back(inner(child));
+  inners.emplaceBack(inner(child));
   for (std::size_t side = 0; side < 2; ++side) {
     const Child moved = moveBelow(inner(child).children[side], inners, leaves);
     inners[place].children[side] = moved;

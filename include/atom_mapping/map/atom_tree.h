@@ -28,6 +28,7 @@
 
 #include "atom_mapping/map/atom_block.h"
 #include "atom_mapping/map/cell_key.h"
+#include "atom_mapping/map/chunked_array.h"
 
 namespace atom_map {
 
@@ -112,7 +113,7 @@ class AtomTree {
   void clear();
 
   // Gives back what the arrays of nodes hold beside the nodes, which removals do for most of it.
-  void shrink() { compact(0); }
+  void shrink() { compact(); }
 
   std::size_t size() const { return size_; }
   std::size_t depth() const;             // inner nodes on the longest way to a leaf
@@ -205,8 +206,8 @@ class AtomTree {
   void removeInLeaf(Child child, const Region& region);
   Child joined(Child child, const std::array<Child, 2>& children);
   void compactIfMostlyEmpty();
-  void compact(std::size_t spare_nodes);
-  Child moveBelow(Child child, std::vector<Inner>& inners, std::vector<AtomBlock>& leaves);
+  void compact();
+  Child moveBelow(Child child, ChunkedArray<Inner>& inners, ChunkedArray<AtomBlock>& leaves);
 
   template <class Visit>
   void visitLeaves(const Eigen::AlignedBox3f& box, Visit&& visit) const;
@@ -233,8 +234,8 @@ class AtomTree {
   std::size_t block_bytes_ = 0;  // of all leaves' blocks
   Eigen::AlignedBox3f extent_;   // holds all centres; may be wider than they need
   Child root_ = 0;               // meaningful while size_ > 0
-  std::vector<Inner> inners_;
-  std::vector<AtomBlock> leaves_;
+  ChunkedArray<Inner> inners_;
+  ChunkedArray<AtomBlock> leaves_;
   std::vector<Child> free_inners_;
   std::vector<Child> free_leaves_;
 };
