@@ -50,7 +50,9 @@ TEST_P(AtomTreeNearest, AreTheNearestInTheirOrder) {
     expectNearest(nearest ? std::vector<Neighbor>{*nearest} : std::vector<Neighbor>{}, p, 1, max_distance);
     const auto any = tree_.anyWithin(p, max_distance);
     ASSERT_EQ(any.has_value(), nearest.has_value());
-    if (any) ASSERT_LT(distance(*any, p), static_cast<double>(max_distance) * (1.0 + kRounding));
+    if (any) {
+      ASSERT_LT(distance(*any, p), static_cast<double>(max_distance) * (1.0 + kRounding));
+    }
     if (HasFatalFailure()) return;
   }
 }
