@@ -32,7 +32,6 @@ void Interleaver::findChances(float distance, std::uint32_t count, float rays_pe
   const float* const touching_angles = touchingAngles(distance);
   assert(touching_angles + count <= touching_angles_.data() + touching_angles_.size());
   chances_.resize(std::max<std::size_t>(chances_.size(), count));
-  kept_.resize(std::max<std::size_t>(kept_.size(), count + 1));
   std::int32_t* const chances = chances_.data();
   const float lambda = lambda_;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -48,6 +48,7 @@ class Interleaver {
   void keepAlong(float distance, std::uint32_t count, float angular_resolution, Visit&& visit) {
     if (count == 0) return;
     findChances(distance, count, 1.0F / angular_resolution);
+    kept_.resize(std::max<std::size_t>(kept_.size(), count + 1));
     // Without branches: which candidates stay is hard to foretell.
     auto sum = static_cast<std::uint32_t>(random_.next() >> 32);
     std::uint32_t* end = kept_.data();
