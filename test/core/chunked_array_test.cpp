@@ -37,14 +37,14 @@ TEST(ChunkedArray, TellsItsBytesAndHowTheyWillGrow) {
   }
 }
 
-// However large it is, what it does not use is less than a chunk of 4096, or than what it holds, and so is what it ever moves.
+// However large it is, what it does not use is less than 256 elements, or than what it holds; and the first ones never move again.
 TEST(ChunkedArray, HoldsLittleThatItDoesNotUse) {
   ChunkedArray<double> array;
   constexpr std::size_t kTable = 1024;  // bytes, of the chunks' addresses
   for (std::size_t i = 1; i <= 50000; ++i) {
     array.emplaceBack(0.0);
     const std::size_t unused = array.bytes() / sizeof(double) - i;
-    ASSERT_LE(unused, std::min<std::size_t>(i, 4096) + kTable / sizeof(double)) << i;
+    ASSERT_LE(unused, std::min<std::size_t>(i, 256) + kTable / sizeof(double)) << i;
   }
   const double* const first = &array[0];
   for (std::size_t i = 0; i < 50000; ++i) array.emplaceBack(0.0);

@@ -7,8 +7,8 @@
 
 namespace atom_map {
 
-// An array that grows by chunks: what it holds beside its elements is a chunk at most, and no growth takes longer than a
-// chunk. One vector of the nodes of ten million atoms doubles in 40 ms.
+// An array that grows by chunks: what it holds beside its elements is a part of a chunk, and no growth moves more than one.
+// One vector of the nodes of ten million atoms doubles in 40 ms.
 template <class T>
 class ChunkedArray {
  public:
@@ -44,7 +44,7 @@ class ChunkedArray {
       const std::vector<T>& last = chunks_.back();
       return last.size() < last.capacity() ? 0 : (nextCapacity(last.size()) - last.size()) * sizeof(T);
     }
-    const std::size_t first = chunks_.empty() ? 1 : kChunk;
+    const std::size_t first = chunks_.empty() ? 1 : kStep;
     const std::size_t table = chunks_.size() == chunks_.capacity() ? std::max<std::size_t>(chunks_.size(), 1) : 0;
     return first * sizeof(T) + table * sizeof(chunks_[0]);
   }
@@ -53,10 +53,12 @@ class ChunkedArray {
   static constexpr std::size_t kBits = 12;
   static constexpr std::size_t kChunk = std::size_t{1} << kBits;
   static constexpr std::size_t kMask = kChunk - 1;
+  static constexpr std::size_t kStep = 256;
 
-  // Only the first chunk grows by and by, so that small arrays stay small.
+  // A chunk grows by steps, the first one by less at first, so that small arrays stay small.
   std::size_t nextCapacity(std::size_t size) const {
-    return chunks_.size() > 1 ? kChunk : std::min(kChunk, std::max<std::size_t>(2 * size, 1));
+    const std::size_t step = chunks_.size() > 1 ? kStep : std::clamp<std::size_t>(size, 1, kStep);
+    return std::min(kChunk, size + step);
   }
 
   std::vector<std::vector<T>> chunks_;
