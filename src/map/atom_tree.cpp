@@ -110,7 +110,7 @@ std::size_t AtomTree::bytes() const {
 std::size_t AtomTree::bytesAfterInsert() const {
   const std::size_t nodes =
       (free_inners_.empty() ? inners_.growth() : 0) + (free_leaves_.empty() ? leaves_.growth() : 0);
-  const std::size_t split = 2 * AtomBlock::kLane * (3U + static_cast<unsigned>(value_count_)) * sizeof(float) + 16;
+  const std::size_t split = 2 * kLane * (3U + static_cast<unsigned>(value_count_)) * sizeof(float) + 16;
   return bytes() + split + nodes;
 }
 

@@ -1,9 +1,46 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "atom_mapping/map/atom_tree.h"
 
 namespace atom_map {
+
+// Level by level, so that a node has come from memory by the time that it is looked at, and without branches: which nodes a
+// box meets is hard to foretell.
+void AtomTree::findLeaves(const Eigen::AlignedBox3f& box, LeafSearch& search) {
+  using Node = LeafSearch::Node;
+  search.leaf_count_ = 0;
+  if (size_ == 0) return;
+  static constexpr std::array<Bits, 3> kAxis{Bits{-1, 0, 0, 0}, Bits{0, -1, 0, 0}, Bits{0, 0, -1, 0}};
+  std::size_t end = 0;  // of those that wait
+  const auto makeRoom = [](std::vector<Node>& nodes, std::size_t used) {
+    if (used + 2 > nodes.size()) nodes.resize(2 * used + 64);
+  };
+  const auto add = [&](const Node& node, bool meets) {
+    const bool is_leaf = isLeaf(node.child);
+    __builtin_prefetch(is_leaf ? static_cast<const void*>(&leaf(node.child)) : &inner(node.child));
+    (is_leaf ? search.leaves_[search.leaf_count_] : search.waiting_[end]) = node;
+    search.leaf_count_ += is_leaf && meets ? 1 : 0;
+    end += !is_leaf && meets ? 1 : 0;
+  };
+  makeRoom(search.waiting_, end);
+  makeRoom(search.leaves_, search.leaf_count_);
+  const Floats all = Floats{} + std::numeric_limits<float>::infinity();
+  add({-all, all, root_}, true);
+  for (std::size_t begin = 0; begin < end; ++begin) {
+    makeRoom(search.waiting_, end);
+    makeRoom(search.leaves_, search.leaf_count_);
+    const Node at = search.waiting_[begin];
+    const Inner& node = inner(at.child);
+    const Floats plane = Floats{} + node.plane;
+    const Bits axis = kAxis[node.axis];
+    add({at.min, axis ? plane : at.max, node.children[0]}, box.min()[node.axis] < node.plane);
+    add({axis ? plane : at.min, at.max, node.children[1]}, box.max()[node.axis] >= node.plane);
+  }
+}
 namespace {
 
 void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& neighbor) {

@@ -9,23 +9,24 @@ void Vicinity::lookUp(const Eigen::Vector3f& p) {
   const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius_);
   leaves_.clear();
   boxes_.clear();
-  tree_.forEachLeaf({block_.min() - reach, block_.max() + reach}, [&](AtomBlock& leaf, const Eigen::AlignedBox3f& box) {
-    leaf.prefetch();
-    for (std::uint32_t first = 0; first == 0 || first < leaf.size(); first += AtomBlock::kMaskSize) {
-      add({&leaf, first}, box);
-    }
-  });
+  tree_.forEachLeaf({block_.min() - reach, block_.max() + reach}, search_,
+                    [&](AtomBlock& leaf, const Floats& min, const Floats& max) {
+                      leaf.prefetch();
+                      for (std::uint32_t first = 0; first == 0 || first < leaf.size(); first += AtomBlock::kMaskSize) {
+                        add({&leaf, first}, min, max);
+                      }
+                    });
   leaves_.resize(boxes_.size() * kLane, {&empty_, 0});
   near_.resize(leaves_.size() + 1);
 }
 
-void Vicinity::add(const Atoms& atoms, const Eigen::AlignedBox3f& box) {
+void Vicinity::add(const Atoms& atoms, const Floats& min, const Floats& max) {
   const std::size_t lane = leaves_.size() % kLane;
   leaves_.push_back(atoms);
   if (lane == 0) boxes_.emplace_back();
   for (int axis = 0; axis < 3; ++axis) {
-    boxes_.back().min[axis][lane] = box.min()[axis];
-    boxes_.back().max[axis][lane] = box.max()[axis];
+    boxes_.back().min[axis][lane] = min[axis];
+    boxes_.back().max[axis][lane] = max[axis];
   }
 }
 

@@ -8,12 +8,12 @@
 #include <cstring>
 #include <memory>
 
+#include "atom_mapping/base/lanes.h"
+
 namespace atom_map {
 
 class AtomBlock {
  public:
-  static constexpr std::uint32_t kLane = 4;  // atoms; a block's capacity is its size rounded up to a whole lane
-
   static constexpr std::uint32_t kMaskSize = 32;  // atoms that nearMask compares at once
 
   // Signs of first values; zero has both.
@@ -22,7 +22,9 @@ class AtomBlock {
   explicit AtomBlock(int value_count) : value_count_(static_cast<std::uint8_t>(value_count)) {}
 
   std::uint32_t size() const { return size_; }
-  std::uint32_t capacity() const { return (size_ + kLane - 1) / kLane * kLane; }
+  std::uint32_t capacity() const {  // the size rounded up to whole lanes
+    return (size_ + kLane - 1) / kLane * kLane;
+  }
 
   // Channels 0, 1, 2 are x, y, z and from 3 on the values; capacity() floats each, of which the unused x are infinite.
   // Valid until the block changes.
@@ -74,9 +76,6 @@ class AtomBlock {
   std::size_t bytes() const;
 
  private:
-  using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
-  using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
-
   float* mutableChannel(int c) { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
   static std::uint8_t signsOf(float value) {
     return static_cast<std::uint8_t>((value >= 0.0F ? kNotNegative : 0) | (value <= 0.0F ? kNotPositive : 0));

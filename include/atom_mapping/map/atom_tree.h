@@ -53,6 +53,7 @@ struct Neighbor {
 
 class AtomTree {
  public:
+  class LeafSearch;
   static constexpr std::uint32_t kLeafCapacity = 32;  // atoms
   static constexpr std::size_t kEvery = std::numeric_limits<std::size_t>::max();
 
@@ -85,14 +86,11 @@ class AtomTree {
   template <class Visit>
   void forEachBlock(Visit&& visit) const;
 
-  // Calls visit(AtomBlock&, box) for each leaf that meets the closed box, with the box that holds its atoms; sides that no
-  // plane bounds are infinite. The leaves stay where they are until a removal or until insert() returns true.
+  // Calls visit(AtomBlock&, min, max) for each leaf that meets the closed box, with the corners (x, y, z and a fourth that
+  // means nothing) of the box that holds its atoms; sides that no plane bounds are infinite. The leaves stay where they are until a removal or until insert() returns true.
+  // `search`: the same for one search after another, which spares them its memory.
   template <class Visit>
-  void forEachLeaf(const Eigen::AlignedBox3f& box, Visit&& visit);
-
-  // Calls visit(index, squared distance) for each atom of a leaf nearer to p than the radius.
-  template <class Visit>
-  static void forEachNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
+  void forEachLeaf(const Eigen::AlignedBox3f& box, LeafSearch& search, Visit&& visit);
 
   // The centre of some atom nearer to p than `radius`, the first that is found.
   std::optional<Eigen::Vector3f> anyWithin(const Eigen::Vector3f& p, float radius) const;
@@ -209,10 +207,12 @@ class AtomTree {
   void compact();
   Child moveBelow(Child child, ChunkedArray<Inner>& inners, ChunkedArray<AtomBlock>& leaves);
 
+  // Calls visit(index, squared distance) for each atom of a leaf nearer to p than the radius.
+  template <class Visit>
+  static void forEachNear(const AtomBlock& block, const Eigen::Vector3f& p, float squared_radius, Visit&& visit);
   template <class Visit>
   void visitLeaves(const Eigen::AlignedBox3f& box, Visit&& visit) const;
-  template <class Visit>
-  void visitBoxes(Child child, const Eigen::AlignedBox3f& box, Eigen::AlignedBox3f bounds, Visit&& visit);
+  void findLeaves(const Eigen::AlignedBox3f& box, LeafSearch& search);
   template <class FindLeaves, class Visit>
   void visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const;
   template <class Visit>
@@ -238,6 +238,20 @@ class AtomTree {
   ChunkedArray<AtomBlock> leaves_;
   std::vector<Child> free_inners_;
   std::vector<Child> free_leaves_;
+};
+
+// What forEachLeaf needs to work.
+class AtomTree::LeafSearch {
+ private:
+  friend class AtomTree;
+  struct Node {
+    Floats min;  // m, of the box that the node's way through the planes leaves; the fourth means nothing
+    Floats max;
+    Child child;
+  };
+  std::vector<Node> waiting_;  // inner nodes
+  std::vector<Node> leaves_;
+  std::size_t leaf_count_ = 0;
 };
 
 }  // namespace atom_map

@@ -142,30 +142,12 @@ void AtomTree::forEachInBox(const Eigen::AlignedBox3f& box, Visit&& visit) const
 }
 
 template <class Visit>
-void AtomTree::forEachLeaf(const Eigen::AlignedBox3f& box, Visit&& visit) {
-  if (size_ == 0) return;
-  constexpr float kAll = std::numeric_limits<float>::infinity();
-  visitBoxes(root_, box, {Eigen::Vector3f::Constant(-kAll), Eigen::Vector3f::Constant(kAll)}, visit);
-}
-
-template <class Visit>
-void AtomTree::visitBoxes(Child child, const Eigen::AlignedBox3f& box, Eigen::AlignedBox3f bounds, Visit&& visit) {
-  while (!isLeaf(child)) {
-    const Inner& node = inner(child);
-    const bool below = box.min()[node.axis] < node.plane;
-    const bool above = box.max()[node.axis] >= node.plane;
-    if (below && above) {
-      const Child later = node.children[1];
-      __builtin_prefetch(isLeaf(later) ? static_cast<const void*>(&leaf(later)) : &inner(later));
-      Eigen::AlignedBox3f lower = bounds;
-      lower.max()[node.axis] = node.plane;
-      visitBoxes(node.children[0], box, lower, visit);
-    }
-    if (above) bounds.min()[node.axis] = node.plane;
-    if (!above) bounds.max()[node.axis] = node.plane;
-    child = node.children[above ? 1 : 0];
+void AtomTree::forEachLeaf(const Eigen::AlignedBox3f& box, LeafSearch& search, Visit&& visit) {
+  findLeaves(box, search);
+  for (std::size_t i = 0; i < search.leaf_count_; ++i) {
+    const LeafSearch::Node& found = search.leaves_[i];
+    visit(leaf(found.child), found.min, found.max);
   }
-  visit(leaf(child), bounds);
 }
 
 template <class Visit>

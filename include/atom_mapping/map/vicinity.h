@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "atom_mapping/base/lanes.h"
 #include "atom_mapping/map/atom_tree.h"
 
 namespace atom_map {
@@ -29,10 +30,6 @@ class Vicinity {
   void forget() { leaves_.clear(); }
 
  private:
-  static constexpr std::uint32_t kLane = 4;
-  using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
-  using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
-
   // Some atoms of a leaf, from `first` on: as many as nearMask compares at once, which are all but of the fullest.
   struct Atoms {
     AtomBlock* block;
@@ -59,7 +56,7 @@ class Vicinity {
   };
 
   void lookUp(const Eigen::Vector3f& p);
-  void add(const Atoms& atoms, const Eigen::AlignedBox3f& box);
+  void add(const Atoms& atoms, const Floats& min, const Floats& max);
 
   AtomTree& tree_;
   float radius_;
@@ -68,6 +65,7 @@ class Vicinity {
   std::vector<Atoms> leaves_;  // and some that hold nothing, up to whole lanes
   std::vector<Boxes> boxes_;   // of each four leaves
   std::vector<Atoms> near_;    // of the search at hand
+  AtomTree::LeafSearch search_;
   AtomBlock empty_{1};
 };
 
@@ -87,11 +85,12 @@ void Vicinity::forEachWithin(const Eigen::Vector3f& p, Visit&& visit) {
   // Two leaves at once, since it is hard to foretell too how many atoms of one are near.
   const float squared_radius = radius_ * radius_;
   for (const Atoms* two = near_.data(); two < end; two += 2) {
-    std::uint64_t mask = two[0].nearMask(p, squared_radius) | two[1].nearMask(p, squared_radius) << 32U;
+    std::uint64_t mask = two[0].nearMask(p, squared_radius) | two[1].nearMask(p, squared_radius)
+                                                                  << AtomBlock::kMaskSize;
     for (; mask != 0; mask &= mask - 1) {
       const auto bit = static_cast<std::uint32_t>(__builtin_ctzll(mask));
-      const Atoms& atoms = two[bit / 32];
-      const std::uint32_t index = atoms.first + bit % 32;
+      const Atoms& atoms = two[bit / AtomBlock::kMaskSize];
+      const std::uint32_t index = atoms.first + bit % AtomBlock::kMaskSize;
       visit(AtomRef{atoms.block, index}, atoms.block->squaredDistance(index, p));
     }
   }
