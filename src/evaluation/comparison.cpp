@@ -21,28 +21,39 @@ void add(const ScanReport::Seconds& more, ScanReport::Seconds& sum) {
 
 }  // namespace
 
-Comparison::Comparison(std::vector<ComparedMap> maps) {
-  for (ComparedMap& map : maps) entries_.push_back({std::move(map), {}, {}});
+Comparison::Comparison(std::vector<ComparedMap> maps, std::size_t turn) : turn_(turn) {
+  for (ComparedMap& map : maps) entries_.push_back({std::move(map), {}, {}, std::make_unique<OwnThread>()});
 }
 
 void Comparison::insertScan(const LidarScan& scan, const Pose& sensor) {
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    insertTimed(scan, sensor, entries_[(scans_ + i) % entries_.size()]);
-  }
+  waiting_.push_back({scan, sensor});
   ++scans_;
+  if (waiting_.size() >= turn_) insertWaiting();
 }
 
-void Comparison::insertTimed(const LidarScan& scan, const Pose& sensor, Entry& entry) {
-  joinFreedBlocks();
+void Comparison::insertWaiting() {
+  if (waiting_.empty()) return;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    Entry& entry = entries_[(turns_ + i) % entries_.size()];
+    entry.thread->run([&] {
+      for (const Scan& scan : waiting_) insertTimed(scan, entry);
+    });
+  }
+  waiting_.clear();
+  ++turns_;
+}
+
+void Comparison::insertTimed(const Scan& scan, Entry& entry) {
   double seconds = 0.0;
   const std::clock_t start = std::clock();
-  const ScanReport report = timed(seconds, [&] { return entry.map.insert_scan(scan, sensor); });
+  const ScanReport report = timed(seconds, [&] { return entry.map.insert_scan(scan.scan, scan.sensor); });
   entry.figures.cpu_milliseconds += 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   entry.milliseconds.push_back(1e3 * seconds);
   add(report.seconds, entry.figures.stages);
 }
 
-std::vector<const ComparedMap*> Comparison::maps() const {
+std::vector<const ComparedMap*> Comparison::maps() {
+  insertWaiting();
   std::vector<const ComparedMap*> maps;
   for (const Entry& entry : entries_) maps.push_back(&entry.map);
   return maps;
@@ -50,6 +61,7 @@ std::vector<const ComparedMap*> Comparison::maps() const {
 
 std::vector<MapFigures> Comparison::finish(const std::vector<ObservedRay>& rays, double radius,
                                            const AskTrueDistance& true_distance) {
+  insertWaiting();
   std::vector<MapFigures> all;
   for (Entry& entry : entries_) {
     MapFigures& figures = all.emplace_back(entry.figures);

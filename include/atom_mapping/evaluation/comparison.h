@@ -2,25 +2,34 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "atom_mapping/evaluation/compared_map.h"
 #include "atom_mapping/evaluation/map_figures.h"
+#include "atom_mapping/evaluation/own_thread.h"
 
 namespace atom_map {
 
 class Comparison {
  public:
-  explicit Comparison(std::vector<ComparedMap> maps);
+  // Scans that a map merges before the next map's turn.
+  static constexpr std::size_t kTurn = 20;
 
-  // Every map merges the scan, one after the other, so that drift of the machine's speed meets them all.
-  // Choice: the first of them changes from scan to scan, since it finds the scan outside of the caches.
+  explicit Comparison(std::vector<ComparedMap> maps, std::size_t turn = kTurn);
+
+  // Every map merges the scan, when its turn comes; insertWaiting() ends a turn early.
+  // Choice: maps take turns of some scans, so that drift of the machine's speed meets them all, but each has a heap of its
+  // own and finds its caches warm for most scans, as it would alone.
+  // Choice: the first of them changes from turn to turn.
   void insertScan(const LidarScan& scan, const Pose& sensor);
+  void insertWaiting();
 
   // How many scans there were.
   std::size_t scans() const { return scans_; }
 
-  std::vector<const ComparedMap*> maps() const;
+  // With all scans merged.
+  std::vector<const ComparedMap*> maps();
 
   // In the order of the maps, which are empty thereafter. `radius`, `true_distance`: as measureCoverage.
   std::vector<MapFigures> finish(const std::vector<ObservedRay>& rays, double radius,
@@ -31,12 +40,21 @@ class Comparison {
     ComparedMap map;
     std::vector<double> milliseconds;
     MapFigures figures;
+    std::unique_ptr<OwnThread> thread;
   };
 
-  static void insertTimed(const LidarScan& scan, const Pose& sensor, Entry& entry);
+  struct Scan {
+    LidarScan scan;
+    Pose sensor;
+  };
+
+  static void insertTimed(const Scan& scan, Entry& entry);
 
   std::vector<Entry> entries_;
+  std::size_t turn_;
+  std::vector<Scan> waiting_;
   std::size_t scans_ = 0;
+  std::size_t turns_ = 0;
 };
 
 }  // namespace atom_map

@@ -14,7 +14,7 @@ extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace atom_map {
 
-// Bytes that the program holds on the heap, by the allocator's own count. Some 100 kB of freed blocks may be among
+// Bytes that the program holds on the heap, by the allocator's own count, of all threads. Some 100 kB of freed blocks may be among
 // them.
 inline std::size_t heapInUse() {
 #if defined(__SANITIZE_ADDRESS__)
@@ -36,14 +36,6 @@ inline void fillThreadCache() {
   for (std::size_t size = 24; size <= 1032; size += 16) {
     for (std::size_t i = 0; i < kBlocks; ++i) blocks.push_back(std::make_unique<std::byte[]>(size));
   }
-}
-
-// glibc leaves freed small blocks as they are until the next large allocation joins them, whoever asks for it. This one
-// asks: what a map's many frees cost later is not charged to the map that is timed next.
-inline void joinFreedBlocks() {
-  constexpr std::size_t kLarge = 1 << 17;
-  void* volatile block = std::malloc(kLarge);
-  std::free(block);
 }
 
 // Bytes of heap that release() gives back, by the allocator's own count: its headers and rounding are among them.
