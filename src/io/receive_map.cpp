@@ -86,21 +86,43 @@ void addAtom(std::uint64_t row, const Eigen::Vector3f& center, const std::array<
   map.atoms().insert(center, values.data());
 }
 
-// Stretch by stretch, so that a lie about how many there are costs no memory.
-void receiveAtoms(std::uint64_t count, const MappingParameters& parameters, const Receive& receive, AtomMap& map) {
-  const std::size_t width = 3 + valueNames(parameters.mode).size();
-  std::array<std::vector<float>, 5> stretch;
+// Calls visit(row's number, its `width` values) for each row. Stretch by stretch, so that a lie about how many there are costs
+// no memory.
+template <class Visit>
+void receiveRows(std::uint64_t count, std::size_t width, const Receive& receive, Visit&& visit) {
+  std::vector<std::vector<float>> stretch(width);
+  std::vector<float> row(width);
   for (std::uint64_t begin = 0; begin < count; begin += kChunk) {
     const auto rows = static_cast<std::size_t>(std::min(kChunk, count - begin));
-    for (std::size_t c = 0; c < width; ++c) {
-      stretch[c].resize(rows);
-      receive(stretch[c].data(), rows * sizeof(float));
+    for (std::vector<float>& column : stretch) {
+      column.resize(rows);
+      receive(column.data(), rows * sizeof(float));
     }
     for (std::size_t i = 0; i < rows; ++i) {
-      const std::array<float, 2> values{stretch[3][i], width > 4 ? stretch[4][i] : 0.0F};
-      addAtom(begin + i, Eigen::Vector3f(stretch[0][i], stretch[1][i], stretch[2][i]), values, parameters, map);
+      for (std::size_t c = 0; c < width; ++c) row[c] = stretch[c][i];
+      visit(begin + i, row);
     }
   }
+}
+
+void receiveAtoms(const MappingParameters& parameters, const Receive& receive, AtomMap& map) {
+  const auto count = receiveNumber<std::uint64_t>(receive);
+  const std::size_t width = 3 + valueNames(parameters.mode).size();
+  receiveRows(count, width, receive, [&](std::uint64_t i, const std::vector<float>& row) {
+    addAtom(i, {row[0], row[1], row[2]}, {row[3], width > 4 ? row[4] : 0.0F}, parameters, map);
+  });
+}
+
+void receivePlanes(const Receive& receive, AtomMap& map) {
+  constexpr float kMostFits = 1e6F;
+  const auto count = receiveNumber<std::uint64_t>(receive);
+  receiveRows(count, kPlaneWidth, receive, [&](std::uint64_t i, const std::vector<float>& row) {
+    const KnownPlane plane{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6], row[7]};
+    const bool is_finite = plane.place.allFinite() && plane.normal.allFinite() && std::isfinite(plane.level);
+    const bool is_plane = is_finite && std::abs(plane.normal.norm() - 1.0F) < 1e-3F;
+    if (!is_plane || !(plane.fits >= 1.0F && plane.fits <= kMostFits)) fail("known_planes[", i, "] is no plane");
+    map.planes().push_back(plane);
+  });
 }
 
 }  // namespace
@@ -112,7 +134,8 @@ LoadedMap receiveMap(const Receive& receive) {
   const auto scans = receiveNumber<std::uint64_t>(receive);
   LoadedMap loaded{parameters, scans, AtomMap(parameters.mode, parameters.radius)};
   loaded.map.anchor(receiveOrigin(receive));
-  receiveAtoms(receiveNumber<std::uint64_t>(receive), parameters, receive, loaded.map);
+  receiveAtoms(parameters, receive, loaded.map);
+  receivePlanes(receive, loaded.map);
   return loaded;
 }
 

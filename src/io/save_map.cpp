@@ -52,6 +52,7 @@ void writeHead(const MapCopy& map, const H5::H5File& image) {
   writeNumber(root, kFormatVersionName, PredType::NATIVE_UINT32, kFormatVersion);
   writeNumber(root, kScans, PredType::NATIVE_UINT64, map.scans);
   writeNumber(root, kAtoms, PredType::NATIVE_UINT64, std::uint64_t{map.size()});
+  writeNumber(root, kKnownPlanes, PredType::NATIVE_UINT64, std::uint64_t{map.planes.size()});
   const hsize_t three = 3;
   root.createAttribute(kOrigin, PredType::NATIVE_DOUBLE, H5::DataSpace(1, &three))
       .write(PredType::NATIVE_DOUBLE, map.origin.data());
@@ -83,6 +84,17 @@ void writeColumn(const H5::DataSet& set, hsize_t column, const std::vector<float
   set.write(values.data(), PredType::NATIVE_FLOAT, H5::DataSpace(1, count.data()), target);
 }
 
+void writePlanes(const std::vector<KnownPlane>& planes, const H5::H5File& image) {
+  std::array<std::vector<float>, kPlaneWidth> columns;
+  for (const auto& [place, normal, level, fits] : planes) {
+    const std::array<float, kPlaneWidth> row{place.x(),  place.y(),  place.z(), normal.x(),
+                                             normal.y(), normal.z(), level,     fits};
+    for (std::size_t c = 0; c < row.size(); ++c) columns[c].push_back(row[c]);
+  }
+  const H5::DataSet set = makeDataSet(image, kKnownPlanes, planes.size(), kPlaneWidth);
+  for (hsize_t c = 0; c < columns.size(); ++c) writeColumn(set, c, columns[c]);
+}
+
 std::string toHdf5(const MapCopy& map) {
   const Hdf5Access access;
   const H5::H5File image = makeImage();
@@ -93,6 +105,7 @@ std::string toHdf5(const MapCopy& map) {
   for (const std::string& name : valueNames(map.parameters.mode)) {
     writeColumn(makeDataSet(image, name, map.size(), 1), 0, map.columns[column++]);
   }
+  writePlanes(map.planes, image);
   return bytesOf(image);
 }
 

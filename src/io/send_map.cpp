@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "atom_mapping/base/describe_parameters.h"
-#include "atom_mapping/io/atom_rows.h"
+#include "atom_mapping/io/file_rows.h"
 #include "atom_mapping/io/hdf5_image.h"
 #include "atom_mapping/io/map_file_format.h"
 #include "atom_mapping/io/map_stream.h"
@@ -91,12 +91,20 @@ void send(const H5::H5File& image, const Send& send) {
   const std::uint64_t scans = readCount(root, kScans);
   const std::uint64_t atoms = readCount(root, kAtoms);
   const Eigen::Vector3d origin = readVector(root, kOrigin);
-  AtomRows rows(image, parameters.mode, atoms);
+  const std::uint64_t planes = root.attrExists(kKnownPlanes) ? readCount(root, kKnownPlanes) : 0;
+  FileRows atom_rows(atoms);
+  atom_rows.add(image, kCenters, 3);
+  for (const std::string& name : valueNames(parameters.mode)) atom_rows.add(image, name, 1);
+  FileRows plane_rows(planes);
+  if (planes > 0) plane_rows.add(image, kKnownPlanes, kPlaneWidth);
   forEachParameter(parameters, ParameterSender{send});
   send(&scans, sizeof scans);
   send(origin.data(), 3 * sizeof(double));
   send(&atoms, sizeof atoms);
-  rows.forEachColumn([&](const std::vector<float>& column) { send(column.data(), column.size() * sizeof(float)); });
+  const auto sendColumn = [&](const std::vector<float>& column) { send(column.data(), column.size() * sizeof(float)); };
+  atom_rows.forEachColumn(sendColumn);
+  send(&planes, sizeof planes);
+  plane_rows.forEachColumn(sendColumn);
 }
 
 }  // namespace

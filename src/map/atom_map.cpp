@@ -11,7 +11,9 @@ AtomMap::AtomMap(Mode mode, double radius)
 }
 
 void AtomMap::anchor(const Eigen::Vector3d& point) {
-  if (atoms_.size() == 0) origin_ = point.array().round();
+  if (atoms_.size() > 0) return;
+  origin_ = point.array().round();
+  planes_.clear();
 }
 
 std::size_t AtomMap::clearRegion(const Eigen::AlignedBox3d& box) {
@@ -20,6 +22,7 @@ std::size_t AtomMap::clearRegion(const Eigen::AlignedBox3d& box) {
 
 void AtomMap::reset() {
   atoms_.clear();
+  planes_ = {};
   origin_.setZero();
 }
 

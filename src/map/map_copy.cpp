@@ -35,6 +35,7 @@ MapCopy copyMap(const Mapper& mapper) {
     copy.parameters = mapper.parameters();
     copy.scans = scans;
     copy.origin = map.origin();
+    copy.planes = map.planes();
     copyAtoms(map.atoms(), columnsOf(map.mode()), copy);
   });
   return copy;

@@ -7,6 +7,7 @@
 #include "atom_mapping/base/timed.h"
 #include "atom_mapping/scan/candidate_filter.h"
 #include "atom_mapping/scan/drop_crossing.h"
+#include "atom_mapping/scan/normals.h"
 #include "atom_mapping/scan/rays.h"
 #include "atom_mapping/scan/snap.h"
 
@@ -15,14 +16,6 @@ namespace {
 
 // Merged under one lock: some 0.1 ms, which is what a reader waits for.
 constexpr std::ptrdiff_t kMergeSlice = 512;
-
-std::vector<SurfacePoint> transformed(std::vector<SurfacePoint> surface, const Eigen::Isometry3f& pose) {
-  for (SurfacePoint& point : surface) {
-    point.position = pose * point.position;
-    point.normal = pose.linear() * point.normal;
-  }
-  return surface;
-}
 
 std::vector<Eigen::Vector3f> rotated(std::vector<Eigen::Vector3f> directions, const Eigen::Matrix3f& rotation) {
   for (Eigen::Vector3f& direction : directions) direction = rotation * direction;
@@ -41,8 +34,10 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   const std::lock_guard scan_lock(scan_mutex_);
   Random random = randomOfScan(parameters_.seed, scans_++);
   Eigen::Isometry3f pose(sensor.linear().cast<float>());  // sensor frame to the map's local frame
+  std::vector<KnownPlane> planes;
   pose.translation() = write([&](AtomMap& map) {
     map.anchor(sensor.translation());
+    planes = std::move(map.planes());
     return map.toLocal(sensor.translation());
   });
   ScanReport report;
@@ -50,7 +45,7 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
   const FilteredScan filtered =  // line 5
       timed(report.seconds.filter, [&] { return filterScan(scan, parameters_.radius, parameters_.scan, random); });
   const std::vector<SurfacePoint> surface = timed(report.seconds.normals, [&] {  // line 6
-    return transformed(estimateSurface(filtered, parameters_.radius, parameters_.scan, report.normals), pose);
+    return estimateSurface(filtered, pose, parameters_.radius, parameters_.scan, planes, report.normals);
   });
   parameters_.mode == Mode::kOccupancy  // lines 7 to 11
       ? mergeOccupancy(surface, rotated(scan.no_returns, pose.linear()), pose.translation(), random, report)
@@ -59,7 +54,8 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
 
   report.filter = filtered.report;
   report.surface_points = static_cast<std::uint32_t>(surface.size());
-  read([&](const AtomMap& map) {
+  write([&](AtomMap& map) {
+    map.planes() = std::move(planes);
     report.atoms = map.atoms().size();
     report.map_bytes = map.atoms().bytes();
   });

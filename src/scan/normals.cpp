@@ -18,7 +18,8 @@ constexpr float kNotThin = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, double radius, const ScanParameters& parameters,
+std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, const Eigen::Isometry3f& pose, double radius,
+                                          const ScanParameters& parameters, std::vector<KnownPlane>& known,
                                           NormalReport& report) {
   const RangeImage image(scan.points, parameters.horizontal_resolution * kDegree,
                          parameters.vertical_resolution * kDegree);
@@ -26,26 +27,31 @@ std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, double radiu
   const auto thin_width = static_cast<float>(parameters.thin_width);
   const auto cell_size = static_cast<float>(parameters.shared_normals * radius);
   std::optional<SharedPlanes> planes;
-  if (cell_size > 0.0F) planes.emplace(cell_size, 2.0F * noise + kCurvature * cell_size, scan.rays.size());
+  if (cell_size > 0.0F) {
+    planes.emplace(cell_size, 2.0F * noise + kCurvature * cell_size, pose.translation(), scan.rays.size(), known);
+  }
   std::vector<SurfacePoint> surface;
   surface.reserve(scan.rays.size());
   for (const std::uint32_t ray : scan.rays) {
     const Eigen::Vector3f& point = scan.points[ray];
-    if (const auto normal = planes ? planes->normalAt(point) : std::nullopt) {
-      surface.push_back({point, *normal, kNotThin});
+    const Eigen::Vector3f place = pose * point;
+    if (const auto normal = planes ? planes->normalAt(place) : std::nullopt) {
+      surface.push_back({place, *normal, kNotThin});
       ++report.shared;
       continue;
     }
     const Neighborhood neighbors = collectNeighbors(image, scan.points, ray, parameters);
-    const Normal normal = estimateNormal(neighbors, -point.normalized(), noise);
+    const Normal fitted = estimateNormal(neighbors, -point.normalized(), noise);
+    const Eigen::Vector3f normal = pose.linear() * fitted.direction;
     const float half_width = halfWidth(image, ray, point, thin_width);
-    surface.push_back({point, normal.direction, half_width});
-    if (planes && normal.fit == Fit::kPlane && half_width == kNotThin) {
-      planes->add({normal.direction, -normal.direction.dot(point) - normal.offset}, point);
+    surface.push_back({place, normal, half_width});
+    if (planes && fitted.fit == Fit::kPlane && half_width == kNotThin) {
+      planes->add({normal, normal.dot(place) + fitted.offset}, place);
     }
-    report.from_line += normal.fit == Fit::kLine ? 1 : 0;
-    report.from_ray += normal.fit == Fit::kNone ? 1 : 0;
+    report.from_line += fitted.fit == Fit::kLine ? 1 : 0;
+    report.from_ray += fitted.fit == Fit::kNone ? 1 : 0;
   }
+  if (planes) known = planes->known();
   return surface;
 }
 

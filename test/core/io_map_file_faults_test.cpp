@@ -205,6 +205,36 @@ std::vector<Fault> faultsOfAtoms(hsize_t atoms) {
   };
 }
 
+std::vector<Fault> faultsOfPlanes() {
+  constexpr hsize_t kMany = 1000000000000;
+  const auto setPlane = [](hsize_t column, float value) {
+    return [=](const H5::H5File& f) { setElement(f, "known_planes", {3, column}, value); };
+  };
+  return {
+      {"a place of NaN", setPlane(1, kNan), "known_planes[3] is no plane"},
+      {"a normal of NaN", setPlane(3, kNan), "known_planes[3] is no plane"},
+      {"a long normal", setPlane(4, 2.0F), "known_planes[3] is no plane"},
+      {"a level at infinity", setPlane(6, 1.0F / 0.0F), "known_planes[3] is no plane"},
+      {"no fits", setPlane(7, 0.0F), "known_planes[3] is no plane"},
+      {"fits of NaN", setPlane(7, kNan), "known_planes[3] is no plane"},
+      {"fits beyond all numbers", setPlane(7, 1e20F), "known_planes[3] is no plane"},
+      {"more planes than rows", [](auto& f) { setCount(root(f), "known_planes", ~0ULL); },
+       "known_planes does not have"},
+      {"a count without planes", [](auto& f) { f.unlink("known_planes"); }, "HDF5: "},
+      {"a million millions of planes",
+       [](auto& f) {
+         setCount(root(f), "known_planes", kMany);
+         replaceSet(f, "known_planes", PredType::IEEE_F32LE, {kMany, 8}, {1000, 1});
+       },
+       "known_planes[0] is no plane"},
+      {"planes of seven numbers",
+       [](auto& f) {
+         replaceSet(f, "known_planes", PredType::IEEE_F32LE, {50, 7}, {50, 1});
+       },
+       "known_planes does not have"},
+  };
+}
+
 std::vector<Fault> faultsOfDistances() {
   return {{"a distance of NaN", [](auto& f) { setElement(f, "signed_distance", {2}, kNan); }, "atom 2 holds nan"},
           {"a variance at infinity", [](auto& f) { setElement(f, "variance", {3}, 1.0F / 0.0F); }, "atom 3 holds"},
@@ -266,6 +296,19 @@ TEST_F(MapFileFaults, EveryAttributeIsChecked) {
 TEST_F(MapFileFaults, EveryAtomIsChecked) {
   save(Mode::kOccupancy);
   expectEachRefused(faultsOfAtoms(loadMap(path("map.h5")).map.atoms().size()));
+}
+
+TEST_F(MapFileFaults, EveryPlaneIsChecked) {
+  save(Mode::kOccupancy);
+  expectEachRefused(faultsOfPlanes());
+}
+
+TEST_F(MapFileFaults, AFileFromBeforePlanesWereKnownKnowsNone) {
+  save(Mode::kOccupancy);
+  const LoadedMap loaded =
+      loadMap(changed({"", [](auto& f) { root(f).removeAttr("known_planes"), f.unlink("known_planes"); }, ""}));
+  EXPECT_TRUE(loaded.map.planes().empty());
+  EXPECT_EQ(loaded.map.atoms().size(), loadMap(path("map.h5")).map.atoms().size());
 }
 
 TEST_F(MapFileFaults, EveryDistanceIsChecked) {

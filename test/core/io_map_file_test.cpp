@@ -36,6 +36,7 @@ TEST_F(MapFile, BringsBackEveryBitOfTheMap) {
       const LoadedMap loaded = loadMap(path("map.h5"));
       EXPECT_EQ(bytesOf(loaded.map), bytesOf(map));
       EXPECT_EQ(loaded.map.atoms().size(), map.atoms().size());
+      EXPECT_EQ(numbersOf(loaded.map.planes()), numbersOf(map.planes()));
       EXPECT_EQ(loaded.map.origin(), count == 0 ? Eigen::Vector3d(1e5, -1e5, 37) : map.origin());
       EXPECT_EQ(loaded.map.mode(), mode);
       EXPECT_EQ(loaded.map.radius(), map.radius());

@@ -225,7 +225,7 @@ TEST_P(Limits, TheSameScansGiveTheSameBytesAndResetStartsAnew) {
   EXPECT_EQ(bytesOf(first), bytesOf(second));
 }
 
-// As after a map file, which holds the atoms in their order.
+// As after a map file, which holds the atoms in their order and what the last scan tells the next.
 TEST_P(Limits, AMapThatIsMadeAnewOfItsAtomsGoesOnAsIfItHadNeverStopped) {
   parameters_.limits = {1500, 0.0, LimitPolicy::kForgetFarthest, 14.0};
   Mapper whole(parameters_);
@@ -235,6 +235,7 @@ TEST_P(Limits, AMapThatIsMadeAnewOfItsAtomsGoesOnAsIfItHadNeverStopped) {
     AtomMap anew(parameters_.mode, parameters_.radius);
     stopped.read([&](const AtomMap& map) {
       anew.anchor(map.origin());
+      anew.planes() = map.planes();
       map.atoms().forEach([&](ConstAtomRef atom) {
         const std::array<float, 2> values{atom.value(), map.mode() == Mode::kOccupancy ? 0.0F : atom.value(1)};
         anew.atoms().insert(atom.center(), values.data());

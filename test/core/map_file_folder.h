@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "atom_mapping/io/map_file.h"
 #include "draw.h"
@@ -34,7 +35,21 @@ inline AtomMap drawMap(const MappingParameters& parameters, int count, std::uint
     const float values[] = {value, random.uniform()};
     map.atoms().insert(center, values);
   }
+  for (int i = 0; i < count / 10; ++i) {
+    map.planes().push_back({drawWithin(random, 20.0F), drawDirection(random), draw(random, -20.0F, 20.0F),
+                            3.0F + static_cast<float>(i % 14)});
+  }
   return map;
+}
+
+// All that is told of planes, in order.
+inline std::vector<float> numbersOf(const std::vector<KnownPlane>& planes) {
+  std::vector<float> numbers;
+  for (const auto& [place, normal, level, fits] : planes) {
+    for (const Eigen::Vector3f& vector : {place, normal}) numbers.insert(numbers.end(), vector.begin(), vector.end());
+    numbers.insert(numbers.end(), {level, fits});
+  }
+  return numbers;
 }
 
 inline MapCopy copyOf(const MappingParameters& parameters, AtomMap map, std::uint64_t scans = 7) {

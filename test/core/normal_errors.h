@@ -26,7 +26,9 @@ inline std::vector<Estimate> estimate(const SimulatedScan& scan, NormalReport& r
   parameters.range_noise = range_noise;
   Random random(1);
   const FilteredScan filtered = filterScan(toLidarScan(scan), 0.5, parameters, random);
-  const std::vector<SurfacePoint> surface = estimateSurface(filtered, 0.5, parameters, report);
+  std::vector<KnownPlane> known;
+  const std::vector<SurfacePoint> surface =
+      estimateSurface(filtered, Eigen::Isometry3f::Identity(), 0.5, parameters, known, report);
   EXPECT_EQ(filtered.points.size(), scan.returns.size()) << "their indices should be the same";
   EXPECT_EQ(surface.size(), filtered.rays.size());
   std::vector<Estimate> estimates;

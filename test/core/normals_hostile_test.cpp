@@ -12,13 +12,18 @@ namespace {
 
 using Eigen::Vector3f;
 
+std::vector<SurfacePoint> estimated(const FilteredScan& scan, const ScanParameters& parameters, NormalReport& report) {
+  std::vector<KnownPlane> known;
+  return estimateSurface(scan, Eigen::Isometry3f::Identity(), 0.5, parameters, known, report);
+}
+
 // A surface point for each ray, in its order and place, with a unit normal that does not point away from the sensor and
 // a width that is positive.
 void expectWhole(const std::vector<Vector3f>& points, const ScanParameters& parameters) {
   Random random(1);
   const FilteredScan scan = filterScan({points, {}}, 0.5, parameters, random);
   NormalReport report;
-  const std::vector<SurfacePoint> surface = estimateSurface(scan, 0.5, parameters, report);
+  const std::vector<SurfacePoint> surface = estimated(scan, parameters, report);
   ASSERT_EQ(surface.size(), scan.rays.size());
   ASSERT_LE(report.from_line + report.from_ray, surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
@@ -56,7 +61,7 @@ TEST(NormalsHostile, NoPointGivesNoneAndOnePointFacesTheSensor) {
     Random random(1);
     const FilteredScan scan = filterScan({{point}, {}}, 0.5, ScanParameters{}, random);
     NormalReport report;
-    const std::vector<SurfacePoint> surface = estimateSurface(scan, 0.5, ScanParameters{}, report);
+    const std::vector<SurfacePoint> surface = estimated(scan, ScanParameters{}, report);
     ASSERT_EQ(surface.size(), 1U);
     EXPECT_TRUE(surface[0].normal.isApprox(-point.normalized()));
     EXPECT_EQ(report.from_ray, 1U);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -13,6 +15,11 @@
 
 namespace atom_map {
 namespace {
+
+// Of the k-th ray of a filtered scan; sensor frame.
+Eigen::Vector3f trueNormalAt(const SimulatedScan& scan, const FilteredScan& filtered, std::size_t k) {
+  return scan.returns.at(filtered.rays[k]).true_normal;
+}
 
 TEST(Normals, OfTheHallAreWithinFiveDegreesAndHardlyEverOverThirty) {
   const Drive drive = makeDrive("hall", 6, 7);
@@ -89,6 +96,46 @@ TEST(Normals, OfARoomKeepToTheirOwnWallUpToItsEdges) {
     }
     EXPECT_LE(errors.quantile(0.5), 2.0);
     EXPECT_LE(errors.shareOver(10.0), 0.02);
+  }
+}
+
+// What a scan learns of flat surfaces serves the next one: fewer fits, and truer normals. On curved ones it does no harm.
+TEST(Normals, OfADriveGrowTruerByWhatTheScanBeforeTold) {
+  for (const char* scene : {"hall", "campus", "cube_rotated", "sphere"}) {
+    const Drive drive = makeDrive(scene, 15);
+    const double radius = 0.25;
+    ScanParameters parameters;
+    parameters.min_range = 0.0;  // so that all returns stay, and keep their places
+    std::vector<KnownPlane> known;
+    NormalReport report;
+    NormalReport report_of_forgetful;
+    Errors errors;
+    Errors errors_of_forgetful;
+    Random random(3);
+    for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+      const Eigen::Isometry3f pose(drive.poses[i].matrix().cast<float>());
+      const FilteredScan filtered = filterScan(drive.scans[i], radius, parameters, random);
+      ASSERT_EQ(filtered.points.size(), drive.simulated[i].returns.size());
+      const auto addErrors = [&](std::vector<KnownPlane>& told, NormalReport& to, Errors& all) {
+        const std::vector<SurfacePoint> surface = estimateSurface(filtered, pose, radius, parameters, told, to);
+        for (std::size_t k = 0; k < surface.size(); ++k) {
+          const Eigen::Vector3f true_normal = pose.linear() * trueNormalAt(drive.simulated[i], filtered, k);
+          all.all.push_back(std::acos(std::clamp(surface[k].normal.dot(true_normal), -1.0F, 1.0F)) * 180.0 / M_PI);
+        }
+      };
+      addErrors(known, report, errors);
+      std::vector<KnownPlane> nothing;
+      addErrors(nothing, report_of_forgetful, errors_of_forgetful);
+    }
+    const auto returns = static_cast<double>(errors.all.size());
+    const double fits = 1.0 - report.shared / returns;
+    const double fits_of_forgetful = 1.0 - report_of_forgetful.shared / returns;
+    std::printf("%-12s fits %.3f -> %.3f of returns, median %.2f -> %.2f deg, 95 %% %.2f -> %.2f\n", scene,
+                fits_of_forgetful, fits, errors_of_forgetful.quantile(0.5), errors.quantile(0.5),
+                errors_of_forgetful.quantile(0.95), errors.quantile(0.95));
+    EXPECT_LE(fits, (std::string(scene) == "sphere" ? 1.0 : 0.7) * fits_of_forgetful) << scene;
+    EXPECT_LE(errors.quantile(0.5), 1.05 * errors_of_forgetful.quantile(0.5)) << scene;
+    EXPECT_LE(errors.quantile(0.95), 1.05 * errors_of_forgetful.quantile(0.95)) << scene;
   }
 }
 

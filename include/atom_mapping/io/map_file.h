@@ -1,10 +1,11 @@
 // The map file (.h5): a map and all that shaped it, in HDF5 that any HDF5 program reads.
 //
-//   /             attributes: format_version, scans, atoms, origin (m, map frame)
+//   /             attributes: format_version, scans, atoms, known_planes (how many), origin (m, map frame)
 //   /parameters   attributes: every parameter by its name, such as mode, radius, map_frame, scan/max_range
 //   /centers      float32 [atoms, 3], m, from the origin and parallel to the map frame
 //   /log_odds     float32 [atoms], in occupancy mode
 //   /signed_distance, /variance    float32 [atoms], m and m^2, in signed distance mode
+//   /known_planes    float32 [planes, 8], what the last scan tells the next of flat surfaces: KnownPlane's members; may be missing
 //
 // Atoms lie in the tree's order: a map that is loaded equals the one that was saved, bit by bit and in every answer, and
 // gives the same file again. Two threads may save or load at once.

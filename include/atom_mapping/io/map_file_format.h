@@ -19,6 +19,8 @@ constexpr const char* kAtoms = "atoms";
 constexpr const char* kOrigin = "origin";
 constexpr const char* kParameters = "parameters";
 constexpr const char* kCenters = "centers";
+constexpr const char* kKnownPlanes = "known_planes";
+constexpr std::size_t kPlaneWidth = 8;  // floats of a known plane
 
 // The datasets of an atom's values, in their order.
 inline std::vector<std::string> valueNames(Mode mode) {

@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <vector>
 
+#include "atom_mapping/base/known_plane.h"
 #include "atom_mapping/base/parameters.h"
 #include "atom_mapping/base/types.h"
 #include "atom_mapping/map/atom_tree.h"
@@ -35,6 +37,10 @@ class AtomMap {
   const AtomTree& atoms() const { return atoms_; }
   AtomTree& atoms() { return atoms_; }
 
+  // What the last scan found of flat surfaces, for the next one: see estimateSurface.
+  const std::vector<KnownPlane>& planes() const { return planes_; }
+  std::vector<KnownPlane>& planes() { return planes_; }
+
   // Removes the atoms whose centres lie in the closed box of the map frame; returns how many.
   std::size_t clearRegion(const Eigen::AlignedBox3d& box);
   void reset();
@@ -44,6 +50,7 @@ class AtomMap {
   float radius_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   AtomTree atoms_;
+  std::vector<KnownPlane> planes_;
 };
 
 }  // namespace atom_map

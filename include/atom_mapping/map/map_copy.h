@@ -19,6 +19,8 @@ struct MapCopy {
   // row an atom, in the tree's order.
   std::array<std::vector<float>, 5> columns;
 
+  std::vector<KnownPlane> planes;  // as AtomMap's
+
   std::size_t size() const { return columns[0].size(); }
 };
 

@@ -1,4 +1,4 @@
-#include "atom_mapping/io/atom_rows.h"
+#include "atom_mapping/io/file_rows.h"
 
 #include <array>
 #include <stdexcept>
@@ -16,15 +16,16 @@ bool hasOurChunks(const H5::DataSet& set, int rank) {
   return layout.getChunk(rank, chunk.data()) == rank && chunk[0] <= kChunk && chunk[1] == 1;
 }
 
-H5::DataSet openSet(const H5::H5File& image, const std::string& name, hsize_t rows, int rank) {
+H5::DataSet openSet(const H5::H5File& image, const std::string& name, hsize_t rows, hsize_t width) {
   const H5::DataSet set = image.openDataSet(name);
   const H5::DataSpace space = set.getSpace();
-  std::array<hsize_t, 2> sizes{0, 3};
+  const int rank = width == 1 ? 1 : 2;
+  std::array<hsize_t, 2> sizes{0, width};
   const bool has_rank = space.getSimpleExtentNdims() == rank;
   if (has_rank) space.getSimpleExtentDims(sizes.data());
-  if (!has_rank || sizes[0] != rows || sizes[1] != 3) {
-    throw std::runtime_error(name + " does not have " + std::to_string(rows) + " rows, one an atom" +
-                             (rank == 2 ? ", of 3 columns" : ""));
+  if (!has_rank || sizes[0] != rows || sizes[1] != width) {
+    throw std::runtime_error(name + " does not have " + std::to_string(rows) + " rows" +
+                             (rank == 2 ? " of " + std::to_string(width) + " columns" : ""));
   }
   if (!(set.getDataType() == H5::PredType::IEEE_F32LE)) {
     throw std::runtime_error(name + " is not made of floats of 32 bits");
@@ -37,19 +38,18 @@ H5::DataSet openSet(const H5::H5File& image, const std::string& name, hsize_t ro
 
 }  // namespace
 
-AtomRows::AtomRows(const H5::H5File& image, Mode mode, hsize_t rows) : rows_(rows) {
-  sets_.push_back(openSet(image, map_file::kCenters, rows, 2));
-  for (const std::string& name : map_file::valueNames(mode)) sets_.push_back(openSet(image, name, rows, 1));
+void FileRows::add(const H5::H5File& image, const std::string& name, hsize_t width) {
+  const H5::DataSet set = openSet(image, name, rows_, width);
+  for (hsize_t place = 0; place < width; ++place) columns_.push_back({set, place});
 }
 
-void AtomRows::readColumn(std::size_t column, hsize_t begin, hsize_t count) {
-  const H5::DataSet& set = sets_[column < 3 ? 0 : column - 2];
-  const H5::DataSpace source = set.getSpace();
-  const std::array<hsize_t, 2> start{begin, column < 3 ? column : 0};
+void FileRows::read(const Column& column, hsize_t begin, hsize_t count) {
+  const H5::DataSpace source = column.set.getSpace();
+  const std::array<hsize_t, 2> start{begin, column.place};
   const std::array<hsize_t, 2> size{count, 1};
   source.selectHyperslab(H5S_SELECT_SET, size.data(), start.data());
-  column_.resize(count);
-  set.read(column_.data(), H5::PredType::NATIVE_FLOAT, H5::DataSpace(1, size.data()), source);
+  values_.resize(count);
+  column.set.read(values_.data(), H5::PredType::NATIVE_FLOAT, H5::DataSpace(1, size.data()), source);
 }
 
 }  // namespace atom_map
