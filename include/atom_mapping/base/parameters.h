@@ -55,14 +55,14 @@ struct GaussianProcessParameters {
   double alpha = 0.12;                // of the log-odds' kernel exp(-alpha d^2), d in radii
   double noise_variance = 0.05;       // sigma_n^2 of the log-odds, in units of the kernel's variance, which is 1
   double distance_alpha = 0.01;       // the same of signed distances, which are smoother
-  double distance_noise = 0.01;       // sigma_n^2 of signed distances, in squared radii
+  double distance_noise = 0.005;      // sigma_n^2 of signed distances, in squared radii
   double atom_variance_share = 0.03;  // of an atom's own variance, added to sigma_n^2 of its signed distance
 };
 
 // surface/: extraction of the implicit surface.
 struct SurfaceParameters {
   double occupancy_deviation = 0.5;   // radii, standard deviation of the surface's place beyond which it is left out
-  double distance_deviation = 0.075;  // the same in signed distance mode
+  double distance_deviation = 0.068;  // the same in signed distance mode
 };
 
 // planning/: paths through free space (paper IV-A). The first three are those of goals that come without their own.
