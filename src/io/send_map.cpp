@@ -101,10 +101,12 @@ void send(const H5::H5File& image, const Send& send) {
   send(&scans, sizeof scans);
   send(origin.data(), 3 * sizeof(double));
   send(&atoms, sizeof atoms);
-  const auto sendColumn = [&](const std::vector<float>& column) { send(column.data(), column.size() * sizeof(float)); };
-  atom_rows.forEachColumn(sendColumn);
+  const auto send_column = [&](const std::vector<float>& column) {
+    send(column.data(), column.size() * sizeof(float));
+  };
+  atom_rows.forEachColumn(send_column);
   send(&planes, sizeof planes);
-  plane_rows.forEachColumn(sendColumn);
+  plane_rows.forEachColumn(send_column);
 }
 
 }  // namespace

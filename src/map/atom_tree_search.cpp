@@ -16,7 +16,7 @@ void AtomTree::findLeaves(const Eigen::AlignedBox3f& box, LeafSearch& search) {
   if (size_ == 0) return;
   static constexpr std::array<Bits, 3> kAxis{Bits{-1, 0, 0, 0}, Bits{0, -1, 0, 0}, Bits{0, 0, -1, 0}};
   std::size_t end = 0;  // of those that wait
-  const auto makeRoom = [](std::vector<Node>& nodes, std::size_t used) {
+  const auto make_room = [](std::vector<Node>& nodes, std::size_t used) {
     if (used + 2 > nodes.size()) nodes.resize(2 * used + 64);
   };
   const auto add = [&](const Node& node, bool meets) {
@@ -26,13 +26,13 @@ void AtomTree::findLeaves(const Eigen::AlignedBox3f& box, LeafSearch& search) {
     search.leaf_count_ += is_leaf && meets ? 1 : 0;
     end += !is_leaf && meets ? 1 : 0;
   };
-  makeRoom(search.waiting_, end);
-  makeRoom(search.leaves_, search.leaf_count_);
+  make_room(search.waiting_, end);
+  make_room(search.leaves_, search.leaf_count_);
   const Floats all = Floats{} + std::numeric_limits<float>::infinity();
   add({-all, all, root_}, true);
   for (std::size_t begin = 0; begin < end; ++begin) {
-    makeRoom(search.waiting_, end);
-    makeRoom(search.leaves_, search.leaf_count_);
+    make_room(search.waiting_, end);
+    make_room(search.leaves_, search.leaf_count_);
     const Node at = search.waiting_[begin];
     const Inner& node = inner(at.child);
     const Floats plane = Floats{} + node.plane;

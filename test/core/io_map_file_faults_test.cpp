@@ -207,17 +207,17 @@ std::vector<Fault> faultsOfAtoms(hsize_t atoms) {
 
 std::vector<Fault> faultsOfPlanes() {
   constexpr hsize_t kMany = 1000000000000;
-  const auto setPlane = [](hsize_t column, float value) {
+  const auto set_plane = [](hsize_t column, float value) {
     return [=](const H5::H5File& f) { setElement(f, "known_planes", {3, column}, value); };
   };
   return {
-      {"a place of NaN", setPlane(1, kNan), "known_planes[3] is no plane"},
-      {"a normal of NaN", setPlane(3, kNan), "known_planes[3] is no plane"},
-      {"a long normal", setPlane(4, 2.0F), "known_planes[3] is no plane"},
-      {"a level at infinity", setPlane(6, 1.0F / 0.0F), "known_planes[3] is no plane"},
-      {"no fits", setPlane(7, 0.0F), "known_planes[3] is no plane"},
-      {"fits of NaN", setPlane(7, kNan), "known_planes[3] is no plane"},
-      {"fits beyond all numbers", setPlane(7, 1e20F), "known_planes[3] is no plane"},
+      {"a place of NaN", set_plane(1, kNan), "known_planes[3] is no plane"},
+      {"a normal of NaN", set_plane(3, kNan), "known_planes[3] is no plane"},
+      {"a long normal", set_plane(4, 2.0F), "known_planes[3] is no plane"},
+      {"a level at infinity", set_plane(6, 1.0F / 0.0F), "known_planes[3] is no plane"},
+      {"no fits", set_plane(7, 0.0F), "known_planes[3] is no plane"},
+      {"fits of NaN", set_plane(7, kNan), "known_planes[3] is no plane"},
+      {"fits beyond all numbers", set_plane(7, 1e20F), "known_planes[3] is no plane"},
       {"more planes than rows", [](auto& f) { setCount(root(f), "known_planes", ~0ULL); },
        "known_planes does not have"},
       {"a count without planes", [](auto& f) { f.unlink("known_planes"); }, "HDF5: "},

@@ -116,16 +116,16 @@ TEST(Normals, OfADriveGrowTruerByWhatTheScanBeforeTold) {
       const Eigen::Isometry3f pose(drive.poses[i].matrix().cast<float>());
       const FilteredScan filtered = filterScan(drive.scans[i], radius, parameters, random);
       ASSERT_EQ(filtered.points.size(), drive.simulated[i].returns.size());
-      const auto addErrors = [&](std::vector<KnownPlane>& told, NormalReport& to, Errors& all) {
+      const auto add_errors = [&](std::vector<KnownPlane>& told, NormalReport& to, Errors& all) {
         const std::vector<SurfacePoint> surface = estimateSurface(filtered, pose, radius, parameters, told, to);
         for (std::size_t k = 0; k < surface.size(); ++k) {
           const Eigen::Vector3f true_normal = pose.linear() * trueNormalAt(drive.simulated[i], filtered, k);
           all.all.push_back(std::acos(std::clamp(surface[k].normal.dot(true_normal), -1.0F, 1.0F)) * 180.0 / M_PI);
         }
       };
-      addErrors(known, report, errors);
+      add_errors(known, report, errors);
       std::vector<KnownPlane> nothing;
-      addErrors(nothing, report_of_forgetful, errors_of_forgetful);
+      add_errors(nothing, report_of_forgetful, errors_of_forgetful);
     }
     const auto returns = static_cast<double>(errors.all.size());
     const double fits = 1.0 - report.shared / returns;
