@@ -18,12 +18,11 @@ class Comparison {
 
   explicit Comparison(std::vector<ComparedMap> maps, std::size_t turn = kTurn);
 
-  // Every map merges the scan, when its turn comes; insertWaiting() ends a turn early.
+  // Every map merges the scan, when its turn comes.
   // Choice: maps take turns of some scans, so that drift of the machine's speed meets them all, but each has a heap of its
   // own and finds its caches warm for most scans, as it would alone.
   // Choice: the first of them changes from turn to turn.
   void insertScan(const LidarScan& scan, const Pose& sensor);
-  void insertWaiting();
 
   // How many scans there were.
   std::size_t scans() const { return scans_; }
@@ -48,6 +47,7 @@ class Comparison {
     Pose sensor;
   };
 
+  void insertWaiting();
   static void insertTimed(const Scan& scan, Entry& entry);
 
   std::vector<Entry> entries_;

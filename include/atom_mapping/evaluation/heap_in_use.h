@@ -14,8 +14,8 @@ extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace atom_map {
 
-// Bytes that the program holds on the heap, by the allocator's own count, of all threads. Some 100 kB of freed blocks may be among
-// them.
+// Bytes that the program holds on the heap, of all threads, by the allocator's own count. Some 100 kB of freed blocks may
+// be among them.
 inline std::size_t heapInUse() {
 #if defined(__SANITIZE_ADDRESS__)
   return __sanitizer_get_current_allocated_bytes();
