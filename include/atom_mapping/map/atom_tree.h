@@ -87,7 +87,8 @@ class AtomTree {
   void forEachBlock(Visit&& visit) const;
 
   // Calls visit(AtomBlock&, min, max) for each leaf that meets the closed box, with the corners (x, y, z and a fourth that
-  // means nothing) of the box that holds its atoms; sides that no plane bounds are infinite. The leaves stay where they are until a removal or until insert() returns true.
+  // means nothing) of the box that holds its atoms; sides that no plane bounds are infinite. The leaves stay where they are
+  // until a removal or until insert() returns true.
   // `search`: the same for one search after another, which spares them its memory.
   template <class Visit>
   void forEachLeaf(const Eigen::AlignedBox3f& box, LeafSearch& search, Visit&& visit);

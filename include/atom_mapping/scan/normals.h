@@ -24,8 +24,9 @@ struct NormalReport {
 // A VLP-16's rings lie far apart, so that the nearest points are all on one ring, and a plane through a line is
 // arbitrary. Choice: the neighbours come from the range image, some from each of five rings.
 // Choice: returns that lie on a plane which was fitted to another one of their cell, of scan/shared_normals radii, share its
-// normal, which also tests it; and so do those of a cell eight times as wide (and 3 m at least) on a plane that three fits agree on, of this scan
-// or the one before. That is flat, and the mean of the fits is truer than each. Only the others have a normal of their own.
+// normal, which also tests it; and so do those of a cell eight times as wide (and 3 m at least) on a plane that three fits
+// agree on, of this scan or the one before. That is flat, and the mean of the fits is truer than each. Only the others have
+// a normal of their own.
 std::vector<SurfacePoint> estimateSurface(const FilteredScan& scan, const Eigen::Isometry3f& pose, double radius,
                                           const ScanParameters& parameters, std::vector<KnownPlane>& known,
                                           NormalReport& report);
