@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 namespace atom_map {
 
@@ -27,21 +28,20 @@ void AtomBlock::remove(std::uint32_t i) {
 }
 
 std::size_t AtomBlock::bytes() const {
-  return size_ == 0 ? 0 : sizeof(float) * (3U + value_count_) * capacity() + 8;
+  return size_ == 0 ? 0 : sizeof(float) * offset(3 + value_count_) + 8;
 }
 
-// Keeps the first atoms. The allocation follows the capacity, so a block never holds a lane that it does not use.
+// Keeps the first atoms. The allocation follows the size, so that a block holds nothing beside its atoms but unused coordinates.
 void AtomBlock::resize(std::uint32_t size) {
-  const std::uint32_t old_capacity = capacity();
+  AtomBlock resized(value_count_);
+  resized.signs_ = signs_;
+  resized.size_ = size;
+  if (size > 0) resized.data_ = std::make_unique<float[]>(resized.offset(3 + value_count_));
   const std::uint32_t kept = std::min(size, size_);
-  size_ = size;
-  if (capacity() == old_capacity) return;
-  auto data = size == 0 ? nullptr : std::make_unique<float[]>(std::size_t{3U + value_count_} * capacity());
-  for (std::uint32_t c = 0; size != 0 && c < 3U + value_count_; ++c) {
-    std::copy_n(data_.get() + std::size_t{c} * old_capacity, kept, data.get() + std::size_t{c} * capacity());
-  }
-  std::fill(data.get() + kept, data.get() + capacity(), std::numeric_limits<float>::infinity());
-  data_ = std::move(data);
+  for (int c = 0; kept > 0 && c < 3 + value_count_; ++c) std::copy_n(channel(c), kept, resized.mutableChannel(c));
+  std::fill(resized.mutableChannel(0) + kept, resized.mutableChannel(0) + resized.capacity(),
+            std::numeric_limits<float>::infinity());
+  *this = std::move(resized);
 }
 
 }  // namespace atom_map

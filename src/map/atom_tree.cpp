@@ -106,7 +106,7 @@ std::size_t AtomTree::bytes() const {
          block_bytes_;
 }
 
-// An insertion takes a lane in a block, or it splits a leaf, which adds a node of each kind.
+// An insertion takes a lane in a block at most, or it splits a leaf, which adds a node of each kind.
 std::size_t AtomTree::bytesAfterInsert() const {
   const std::size_t nodes =
       (free_inners_.empty() ? inners_.growth() : 0) + (free_leaves_.empty() ? leaves_.growth() : 0);

@@ -21,13 +21,10 @@ void Vicinity::lookUp(const Eigen::Vector3f& p) {
 }
 
 void Vicinity::add(const Atoms& atoms, const Floats& min, const Floats& max) {
-  const std::size_t lane = leaves_.size() % kLane;
+  const auto lane = static_cast<std::uint32_t>(leaves_.size() % kLane);
   leaves_.push_back(atoms);
   if (lane == 0) boxes_.emplace_back();
-  for (int axis = 0; axis < 3; ++axis) {
-    boxes_.back().min[axis][lane] = min[axis];
-    boxes_.back().max[axis][lane] = max[axis];
-  }
+  boxes_.back().set(lane, min, max);
 }
 
 }  // namespace atom_map

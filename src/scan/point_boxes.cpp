@@ -1,56 +1,101 @@
 #include "atom_mapping/scan/point_boxes.h"
 
-#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <utility>
 
 namespace atom_map {
 
 PointBoxes::PointBoxes(const std::vector<SurfacePoint>& surface) {
   points_.reserve(surface.size());
-  for (const SurfacePoint& point : surface) points_.push_back(point.position);
-  nodes_.reserve(surface.size() / 4 + 1);
-  add(points_.data(), points_.data() + points_.size());
-  for (std::size_t node = 0; node < nodes_.size(); ++node) split(node);
-}
-
-void PointBoxes::add(Eigen::Vector3f* begin, Eigen::Vector3f* end) {
-  Eigen::AlignedBox3f box;
-  std::for_each(begin, end, [&](const Eigen::Vector3f& point) { box.extend(point); });
-  nodes_.push_back({box, begin, end});
-}
-
-// At the middle of the longest side: that takes one pass, where to find the median takes several.
-void PointBoxes::split(std::size_t node) {
-  const auto [box, begin, end, none] = nodes_[node];
-  if (end - begin <= kLeafSize) return;
-  int axis = 0;
-  box.sizes().maxCoeff(&axis);
-  const float middle = box.center()[axis];
-  Eigen::Vector3f* const above =
-      std::partition(begin, end, [axis = axis, middle](const auto& point) { return point[axis] < middle; });
-  if (above == begin || above == end) return;  // they coincide
-  nodes_[node].first_child = nodes_.size();
-  add(begin, above);
-  add(above, end);
-}
-
-bool PointBoxes::isAnyWithin(const Eigen::Vector3f& p, float radius) const {
-  return isAnyBelow(nodes_.front(), p, radius * radius);
-}
-
-bool PointBoxes::isAnyBelow(const Node& node, const Eigen::Vector3f& p, float squared_radius) const {
-  if (node.first_child == 0) {
-    return std::any_of(node.begin, node.end, [&](const auto& q) { return (q - p).squaredNorm() < squared_radius; });
+  for (const SurfacePoint& point : surface) {
+    points_.push_back(Floats{point.position.x(), point.position.y(), point.position.z(), 0.0F});
   }
-  const Node* nearer = &nodes_[node.first_child];
-  const Node* farther = nearer + 1;
-  float least = nearer->box.squaredExteriorDistance(p);
-  float greatest = farther->box.squaredExteriorDistance(p);
-  if (greatest < least) {
-    std::swap(nearer, farther);
-    std::swap(least, greatest);
+  nodes_.reserve(surface.size() / kLeafSize + 1);
+  add({0, static_cast<std::uint32_t>(points_.size())});
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    coordinates_[axis].reserve(points_.size() + kLane);
+    for (const Floats& point : points_) coordinates_[axis].push_back(point[axis]);
+    coordinates_[axis].resize(points_.size() + kLane, std::numeric_limits<float>::infinity());
   }
-  if (least < squared_radius && isAnyBelow(*nearer, p, squared_radius)) return true;
-  return greatest < squared_radius && isAnyBelow(*farther, p, squared_radius);
+}
+
+PointBoxes::Box PointBoxes::boxOf(const Range& range) const {
+  const Floats infinite = Floats{} + std::numeric_limits<float>::infinity();
+  Box box{infinite, -infinite};
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
+    const Floats& point = points_[i];
+    box.min = point < box.min ? point : box.min;
+    box.max = point > box.max ? point : box.max;
+  }
+  return box;
+}
+
+// Two halves, at the middle of the box's longest side: that takes one pass, where to find the median takes several. Returns
+// where the second begins. Without branches: on which side a point lies is hard to foretell.
+std::uint32_t PointBoxes::divide(const Range& range) {
+  if (range.end - range.begin <= kLeafSize) return range.end;
+  const Box box = boxOf(range);
+  const Floats sides = box.max - box.min;
+  std::uint32_t axis = sides[1] > sides[0] ? 1 : 0;
+  if (sides[2] > sides[axis]) axis = 2;
+  const float middle = 0.5F * (box.min[axis] + box.max[axis]);
+  std::uint32_t above = range.begin;
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
+    const bool is_below = points_[i][axis] < middle;
+    std::swap(points_[i], points_[above]);
+    above += is_below ? 1 : 0;
+  }
+  return above;
+}
+
+std::uint32_t PointBoxes::add(const Range& range) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  const std::uint32_t middle = divide(range);
+  const std::uint32_t first = divide({range.begin, middle});
+  const std::uint32_t third = divide({middle, range.end});
+  const std::array<Range, kLane> quarters{
+      {{range.begin, first}, {first, middle}, {middle, third}, {third, range.end}}};
+  nodes_[index].ranges = quarters;
+  for (std::uint32_t i = 0; i < kLane; ++i) {
+    const Range& quarter = quarters[i];
+    const Box box = boxOf(quarter);
+    nodes_[index].boxes.set(i, box.min, box.max);
+    const std::uint32_t size = quarter.end - quarter.begin;
+    const bool coincide = size == range.end - range.begin;
+    if (size <= kLeafSize || coincide) continue;
+    const std::uint32_t child = add(quarter);
+    nodes_[index].children[i] = child;
+  }
+  return index;
+}
+
+bool PointBoxes::isAnyBelow(std::uint32_t node, const Eigen::Vector3f& p, float squared_radius) const {
+  const Node& at = nodes_[node];
+  const Bits within = at.boxes.squaredDistances(p) < squared_radius;
+  for (std::uint32_t i = 0; i < kLane; ++i) {
+    if (within[i] == 0) continue;
+    const std::uint32_t child = at.children[i];
+    if (child != 0 ? isAnyBelow(child, p, squared_radius) : isAnyIn(at.ranges[i], p, squared_radius)) return true;
+  }
+  return false;
+}
+
+// Whole lanes: the points beyond the range's end are points of the scan as well.
+bool PointBoxes::isAnyIn(const Range& range, const Eigen::Vector3f& p, float squared_radius) const {
+  Bits near{};
+  for (std::uint32_t i = range.begin; i < range.end; i += kLane) {
+    Floats squared{};
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      Floats coordinate;
+      std::memcpy(&coordinate, coordinates_[axis].data() + i, sizeof coordinate);
+      const Floats offset = coordinate - p[axis];
+      squared += offset * offset;
+    }
+    near |= squared < squared_radius;
+  }
+  return (near[0] | near[1] | near[2] | near[3]) != 0;
 }
 
 }  // namespace atom_map

@@ -26,9 +26,9 @@ class AtomBlock {
     return (size_ + kLane - 1) / kLane * kLane;
   }
 
-  // Channels 0, 1, 2 are x, y, z and from 3 on the values; capacity() floats each, of which the unused x are infinite.
-  // Valid until the block changes.
-  const float* channel(int c) const { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
+  // Channels 0, 1, 2 are x, y, z, capacity() floats each, of which the unused x are infinite; from 3 on the values, size() floats
+  // each. Valid until the block changes.
+  const float* channel(int c) const { return data_.get() + offset(c); }
 
   void setValue(std::uint32_t i, int v, float value) {
     mutableChannel(3 + v)[i] = value;
@@ -76,7 +76,11 @@ class AtomBlock {
   std::size_t bytes() const;
 
  private:
-  float* mutableChannel(int c) { return data_.get() + static_cast<std::size_t>(c) * capacity(); }
+  std::size_t offset(int c) const {
+    const auto channel = static_cast<std::size_t>(c);
+    return c < 3 ? channel * capacity() : std::size_t{3} * capacity() + (channel - 3) * size_;
+  }
+  float* mutableChannel(int c) { return data_.get() + offset(c); }
   static std::uint8_t signsOf(float value) {
     return static_cast<std::uint8_t>((value >= 0.0F ? kNotNegative : 0) | (value <= 0.0F ? kNotPositive : 0));
   }

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "atom_mapping/base/four_boxes.h"
 #include "atom_mapping/base/lanes.h"
 #include "atom_mapping/map/atom_tree.h"
 
@@ -40,21 +39,6 @@ class Vicinity {
     }
   };
 
-  // The boxes that hold the atoms of four leaves; at first none meets anything.
-  struct Boxes {
-    std::array<Floats, 3> min;
-    std::array<Floats, 3> max;
-
-    Boxes() {
-      min.fill(Floats{} + std::numeric_limits<float>::infinity());
-      max.fill(Floats{} - std::numeric_limits<float>::infinity());
-    }
-    Bits meet(const Eigen::Vector3f& p, float radius) const {
-      const auto along = [&](int axis) { return (min[axis] - p[axis] < radius) & (p[axis] - max[axis] < radius); };
-      return along(0) & along(1) & along(2);
-    }
-  };
-
   void lookUp(const Eigen::Vector3f& p);
   void add(const Atoms& atoms, const Floats& min, const Floats& max);
 
@@ -63,7 +47,7 @@ class Vicinity {
   float side_;
   Eigen::AlignedBox3f block_;  // whose searches the leaves serve
   std::vector<Atoms> leaves_;  // and some that hold nothing, up to whole lanes
-  std::vector<Boxes> boxes_;   // of each four leaves
+  std::vector<FourBoxes> boxes_;  // of each four leaves
   std::vector<Atoms> near_;    // of the search at hand
   AtomTree::LeafSearch search_;
   AtomBlock empty_{1};

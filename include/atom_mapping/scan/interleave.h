@@ -34,13 +34,23 @@ class Interleaver {
   // Candidates may be asked for up to max_distance (m) from the sensor.
   Interleaver(float radius, float lambda, float max_distance, Random& random);
 
-  // Whether the candidate at a distance from the sensor stays, among rays that lie angular_resolution (radians) apart.
-  bool keep(float distance, float angular_resolution) {
-    return random_.uniform() < probability(distance, 1.0F / angular_resolution);
+  // Calls visit(i) for those that stay of candidates that do not depend on one another, each at its distance (m) from the
+  // sensor among rays that lie so close: one number of each a candidate.
+  template <class Visit>
+  void keepEach(const std::vector<float>& distances, const std::vector<float>& rays_per_radian, Visit&& visit) {
+    assert(distances.size() == rays_per_radian.size());
+    findProbabilities(distances, rays_per_radian);
+    kept_.resize(std::max(kept_.size(), distances.size() + 1));
+    std::uint32_t* end = kept_.data();
+    for (std::uint32_t i = 0; i < distances.size(); ++i) {
+      *end = i;
+      end += random_.uniform() < probabilities_[i] ? 1 : 0;
+    }
+    std::for_each(kept_.data(), end, visit);
   }
 
   // Calls visit(i) for those that stay of the candidates i = 0 to count - 1 of one ray, the first at `distance` from the
-  // sensor and the others a diameter each nearer to it, with the same chance as in keep(). Without candidates,
+  // sensor and the others a diameter each nearer to it, with the same chance as in keepEach(). Without candidates,
   // `distance` may be anything.
   // Choice: the draws of one ray, whose candidates do not overlap, depend on one another: one stays each time that their
   // chances have added up to one more (systematic sampling). So it takes one number a ray, and long gaps are rarer.
@@ -73,9 +83,7 @@ class Interleaver {
     return touching_angles_.data() + step % kStepsPerDiameter * (diameters_ + 1) + (diameters_ - 1 - diameters);
   }
 
-  float probability(float distance, float rays_per_radian) const {
-    return keepProbability(overlapCount(*touchingAngles(distance), rays_per_radian), lambda_);
-  }
+  void findProbabilities(const std::vector<float>& distances, const std::vector<float>& rays_per_radian);
 
   // Of the candidates of the ray at hand, in fractions of kOne.
   void findChances(float distance, std::uint32_t count, float rays_per_radian);
@@ -84,8 +92,9 @@ class Interleaver {
   float steps_per_metre_;
   std::uint32_t diameters_;             // to the farthest
   std::vector<float> touching_angles_;  // for each fraction of a diameter: by whole ones, from far to the sensor itself
+  std::vector<float> probabilities_;    // of the candidates at hand
   std::vector<std::int32_t> chances_;   // of the ray at hand
-  std::vector<std::uint32_t> kept_;     // of them
+  std::vector<std::uint32_t> kept_;     // of either
   Random& random_;
 };
 

@@ -1,39 +1,50 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <cstddef>
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <vector>
 
+#include "atom_mapping/base/four_boxes.h"
 #include "atom_mapping/base/types.h"
 
 namespace atom_map {
 
-// A scan's surface points in a tree of tight boxes, built at once. Around points that lie on surfaces the boxes are
-// flat, so that a sphere in front of a surface meets few of them, where it would meet many cells of a k-d tree.
+// A scan's surface points in a tree of tight boxes, four to a node, built at once. Around points that lie on surfaces the
+// boxes are flat, so that a sphere in front of a surface meets few of them, where it would meet many cells of a k-d tree.
 class PointBoxes {
  public:
   // O(n log n) for points as scans have them.
   explicit PointBoxes(const std::vector<SurfacePoint>& surface);
 
   // Whether any point lies nearer to p than `radius`.
-  bool isAnyWithin(const Eigen::Vector3f& p, float radius) const;
+  bool isAnyWithin(const Eigen::Vector3f& p, float radius) const { return isAnyBelow(0, p, radius * radius); }
 
  private:
-  static constexpr std::ptrdiff_t kLeafSize = 16;  // points, unless they coincide
+  static constexpr std::uint32_t kLeafSize = 16;  // points, unless they coincide
 
-  // A node's points, their box and its children, `first_child` and the one after it; 0: a leaf.
+  struct Range {  // of points
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  struct Box {
+    Floats min;
+    Floats max;
+  };
   struct Node {
-    Eigen::AlignedBox3f box;
-    Eigen::Vector3f* begin;
-    Eigen::Vector3f* end;
-    std::size_t first_child = 0;
+    FourBoxes boxes;
+    std::array<Range, kLane> ranges{};           // of the points in each
+    std::array<std::uint32_t, kLane> children{};  // the node that divides them further; 0: none
   };
 
-  void add(Eigen::Vector3f* begin, Eigen::Vector3f* end);
-  void split(std::size_t node);
-  bool isAnyBelow(const Node& node, const Eigen::Vector3f& p, float squared_radius) const;
+  Box boxOf(const Range& range) const;
+  std::uint32_t divide(const Range& range);
+  std::uint32_t add(const Range& range);
+  bool isAnyBelow(std::uint32_t node, const Eigen::Vector3f& p, float squared_radius) const;
+  bool isAnyIn(const Range& range, const Eigen::Vector3f& p, float squared_radius) const;
 
-  std::vector<Eigen::Vector3f> points_;
+  std::vector<Floats> points_;  // x, y, z, 0
+  std::array<std::vector<float>, 3> coordinates_;  // the same by axes; after the last, a lane that is nowhere
   std::vector<Node> nodes_;  // the root first
 };
 
