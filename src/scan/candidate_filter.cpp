@@ -14,9 +14,9 @@ template <class AnyCandidate>
 std::vector<AnyCandidate> firstOfEachCell(const std::vector<AnyCandidate>& candidates, CellSet& taken) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> kept;  // block and place of each
   kept.reserve(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (const auto block = taken.insert(candidates[i].center)) kept.emplace_back(*block, i);
-  }
+  taken.insertEach(
+      candidates.size(), [&](std::size_t i) { return candidates[i].center; },
+      [&](std::size_t i, std::uint32_t block) { kept.emplace_back(block, i); });
   std::vector<std::uint32_t> end(taken.blocks() + 1, 0);  // of a block, in the order that is made
   for (const auto& [block, place] : kept) ++end[block + 1];
   for (std::size_t block = 1; block < end.size(); ++block) end[block] += end[block - 1];

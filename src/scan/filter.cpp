@@ -58,11 +58,12 @@ void thin(FilteredScan& scan, float cell_size, Random& random) {
   const auto count = static_cast<std::uint32_t>(scan.rays.size());
   CellTable<std::uint64_t> cells(cell_size, count / kPointsPerCell);
   std::uint64_t draw = 0;  // for two rays
-  for (std::uint32_t i = 0; i < count; ++i) {
-    draw = i % 2 == 0 ? random.next() : draw << 32U;
-    std::uint64_t& greatest = cells.at(scan.points[scan.rays[i]]);
-    greatest = std::max(greatest, (draw & kNumber) | i);
-  }
+  cells.atEach(
+      count, [&](std::size_t i) { return scan.points[scan.rays[i]]; },
+      [&](std::size_t i, std::uint64_t& greatest) {
+        draw = i % 2 == 0 ? random.next() : draw << 32U;
+        greatest = std::max(greatest, (draw & kNumber) | i);
+      });
   std::vector<std::uint8_t> is_kept(count, 0);
   cells.forEach([&](std::uint64_t greatest) { is_kept[greatest & ~kNumber] = 1; });
   std::uint32_t kept = 0;

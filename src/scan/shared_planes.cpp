@@ -1,6 +1,7 @@
 #include "atom_mapping/scan/shared_planes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "atom_mapping/scan/estimate_normal.h"
@@ -18,43 +19,71 @@ constexpr int kSure = 3;                     // fits that agree on a plane that 
 constexpr int kMostFits = 16;                // that a plane is the mean of; then the latest count for more
 constexpr std::uint32_t kFitAgain = 64;      // of so many returns on known planes one is fitted all the same
 
+// Whether a return can lie on this side of a plane: not if it would be seen from behind or too obliquely. `ray`: from the return
+// to the sensor.
+bool faces(const Eigen::Vector3f& normal, const Eigen::Vector3f& ray) {
+  const float depth = normal.dot(ray);
+  return depth > 0.0F && depth * depth > kMinFacing * kMinFacing * ray.squaredNorm();
+}
+
 }  // namespace
 
 float Patch::distanceTo(const Eigen::Vector3f& point) const {
   return std::abs(normal.dot(point) - level);
 }
 
-bool Patch::faces(const Eigen::Vector3f& sensor, const Eigen::Vector3f& point) const {
-  const Eigen::Vector3f ray = sensor - point;
-  const float depth = normal.dot(ray);
-  return depth > 0.0F && depth * depth > kMinFacing * kMinFacing * ray.squaredNorm();
-}
-
-Patch* Patches::find(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor, float tolerance, int least_fits) {
-  Patch* found = nullptr;
-  for (std::uint32_t i = 0; i < size_; ++i) {
-    Patch& plane = planes_[i];
-    const float distance = plane.distanceTo(point);
-    if (distance >= tolerance || plane.fits < least_fits || !plane.faces(sensor, point)) continue;
-    tolerance = distance;
-    found = &plane;
+std::optional<std::uint32_t> Patches::find(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor, float tolerance,
+                                           int least_fits) const {
+  std::optional<std::uint32_t> found;
+  for (std::uint32_t first = 0; first < size_; first += kLane) {
+    const Lane& lane = lanes_[first / kLane];
+    const Floats offset = lane.x * point.x() + lane.y * point.y() + lane.z * point.z() - lane.level;
+    const Floats distance = offset < 0.0F ? -offset : offset;
+    const Bits lies_on = (distance < tolerance) & (lane.fits >= least_fits);
+    for (std::uint32_t mask = maskOf(lies_on); mask != 0; mask &= mask - 1) {
+      const auto i = static_cast<std::uint32_t>(__builtin_ctz(mask));
+      if (distance[i] >= tolerance || !faces({lane.x[i], lane.y[i], lane.z[i]}, sensor - point)) continue;
+      tolerance = distance[i];
+      found = first + i;
+    }
   }
   return found;
 }
 
+Patch Patches::operator[](std::uint32_t i) const {
+  assert(i < size_);
+  const Lane& lane = lanes_[i / kLane];
+  const std::uint32_t at = i % kLane;
+  return {{lane.x[at], lane.y[at], lane.z[at]}, lane.level[at], lane.fits[at], lane.is_seen[at] != 0};
+}
+
+void Patches::set(std::uint32_t i, const Patch& patch) {
+  assert(i < size_);
+  Lane& lane = lanes_[i / kLane];
+  const std::uint32_t at = i % kLane;
+  lane.x[at] = patch.normal.x();
+  lane.y[at] = patch.normal.y();
+  lane.z[at] = patch.normal.z();
+  lane.level[at] = patch.level;
+  lane.fits[at] = patch.fits;
+  lane.is_seen[at] = patch.is_seen ? 1 : 0;
+}
+
 void Patches::add(const Patch& patch) {
-  if (size_ < planes_.size()) planes_[size_++] = patch;
+  if (size_ == kLane * lanes_.size()) return;
+  set(size_++, patch);
 }
 
 int Patches::join(const Patch& patch, const Eigen::Vector3f& point, float tolerance) {
   for (std::uint32_t i = 0; i < size_; ++i) {
-    Patch& plane = planes_[i];
+    Patch plane = (*this)[i];
     if (plane.normal.dot(patch.normal) < kAgreement || plane.distanceTo(point) > tolerance) continue;
     plane.fits = std::min(plane.fits + 1, kMostFits);
     plane.is_seen = true;
     const float share = 1.0F / static_cast<float>(plane.fits);
     plane.normal = (plane.normal + share * (patch.normal - plane.normal)).normalized();
     plane.level += share * (patch.level - plane.level);
+    set(i, plane);
     return plane.fits;
   }
   add(patch);
@@ -83,26 +112,30 @@ SharedPlanes::SharedPlanes(float cell_size, float tolerance, const Eigen::Vector
 }
 
 std::optional<Eigen::Vector3f> SharedPlanes::normalAt(const Eigen::Vector3f& point) {
-  if (Patch* const plane = wide_cells_.at(point).find(point, sensor_, tolerance_, kSure)) {
-    plane->is_seen = true;
+  Patches& wide = wide_cells_.at(point);
+  if (const auto plane = wide.find(point, sensor_, tolerance_, kSure)) {
+    wide.see(*plane);
     if (++served_ % kFitAgain == 0) return std::nullopt;
-    return plane->normal;
+    return wide[*plane].normal;
   }
-  const Patch* const patch = cells_.at(point).find(point, sensor_, tolerance_, 1);
-  return patch != nullptr ? std::optional(patch->normal) : std::nullopt;
+  const Patches& cell = cells_.at(point);
+  const auto plane = cell.find(point, sensor_, tolerance_, 1);
+  return plane ? std::optional(cell[*plane].normal) : std::nullopt;
 }
 
 void SharedPlanes::add(const Patch& patch, const Eigen::Vector3f& point) {
   Patches& wide = wide_cells_.at(point);
-  Patch* const known = wide.find(point, sensor_, tolerance_, kSure);
-  if (known != nullptr && known->normal.dot(patch.normal) < kTurned) --known->fits;
+  if (const auto known = wide.find(point, sensor_, tolerance_, kSure)) {
+    if (wide[*known].normal.dot(patch.normal) < kTurned) wide.doubt(*known);
+  }
   if (wide.join(patch, point, tolerance_) < kSure) cells_.at(point).add(patch);
 }
 
 std::vector<KnownPlane> SharedPlanes::known() const {
   std::vector<KnownPlane> known;
   wide_cells_.forEach([&](const Eigen::Vector3f& place, const Patches& patches) {
-    for (const Patch& plane : patches) {
+    for (std::uint32_t i = 0; i < patches.size(); ++i) {
+      const Patch plane = patches[i];
       if (plane.fits < kSure || !plane.is_seen) continue;
       known.push_back({place, plane.normal, plane.level, static_cast<float>(plane.fits)});
     }

@@ -15,11 +15,11 @@ namespace atom_map {
 namespace {
 
 using Eigen::Vector3f;
-using Cell = std::tuple<int, int, int>;
+using CellIndex = std::tuple<int, int, int>;
 
 constexpr float kSide = 0.5F;
 
-Cell cellOf(const Candidate& candidate) {
+CellIndex cellOf(const Candidate& candidate) {
   const auto cell = [&](int axis) { return static_cast<int>(std::floor(candidate.center[axis] / kSide)); };
   return {cell(0), cell(1), cell(2)};
 }
@@ -55,7 +55,7 @@ bool isSame(std::vector<Candidate> a, std::vector<Candidate> b) {
 
 // As the header says it, candidate by candidate.
 Candidates filterByHand(const Candidates& all) {
-  std::map<Cell, bool> taken;
+  std::map<CellIndex, bool> taken;
   Candidates kept;
   for (const Candidate& candidate : all.occupied) {
     if (!std::exchange(taken[cellOf(candidate)], true)) kept.occupied.push_back(candidate);
@@ -81,7 +81,7 @@ RC_GTEST_PROP(CandidateFilter, KeepsTheFirstOfEachCellAndNoFreeOneBesideAnOccupi
 TEST(CandidateFilter, NoCellKeepsMoreThanOneAndNoOccupiedCellIsLost) {
   const Candidates all = drawCandidates(1, 3000, 9000, 4.0F);
   const Candidates kept = filterCandidates(all, kSide);
-  std::map<Cell, int> cells;
+  std::map<CellIndex, int> cells;
   for (const Candidate& candidate : kept.occupied) ++cells[cellOf(candidate)];
   for (const Candidate& candidate : all.occupied) ASSERT_EQ(cells.count(cellOf(candidate)), 1U);
   for (const Candidate& candidate : kept.free) ++cells[cellOf(candidate)];

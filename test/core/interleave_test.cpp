@@ -31,11 +31,13 @@ struct Remains {
 Remains interleave(const Ring& ring, int scans, std::uint64_t seed) {
   Random random(seed);
   Interleaver interleaver(kRadius, ring.lambda, kMaxDistance, random);
-  const int set = ring.overlapping();
+  const auto set = static_cast<std::size_t>(ring.overlapping());
+  const std::vector<float> distances(set, ring.distance);
+  const std::vector<float> rays_per_radian(set, 1.0F / ring.resolution());
   Remains remains;
   for (int scan = 0; scan < scans; ++scan) {
     int kept = 0;
-    for (int i = 0; i < set; ++i) kept += interleaver.keep(ring.distance, ring.resolution()) ? 1 : 0;
+    interleaver.keepEach(distances, rays_per_radian, [&](std::uint32_t) { ++kept; });
     remains.mean += static_cast<double>(kept) / scans;
     remains.none += kept == 0 ? 1.0 / scans : 0.0;
   }
@@ -124,8 +126,10 @@ TEST(Interleaving, SameSeedDrawsTheSameAndAnotherSeedOthers) {
   const auto draws = [](std::uint64_t seed) {
     Random random(seed);
     Interleaver interleaver(kRadius, 1.0F, kMaxDistance, random);
-    std::vector<bool> kept;
-    for (int i = 0; i < 1000; ++i) kept.push_back(interleaver.keep(0.02F * static_cast<float>(i), 0.0035F));
+    std::vector<float> distances;
+    for (int i = 0; i < 1000; ++i) distances.push_back(0.02F * static_cast<float>(i));
+    std::vector<std::uint32_t> kept;
+    interleaver.keepEach(distances, std::vector<float>(1000, 300.0F), [&](std::uint32_t i) { kept.push_back(i); });
     return kept;
   };
   EXPECT_EQ(draws(4), draws(4));
@@ -136,7 +140,7 @@ TEST(Interleaving, EveryDistanceUpToTheLongestMayBeAskedFor) {
   Random random(6);
   Interleaver interleaver(kRadius, 1.0F, kMaxDistance, random);
   int kept = 0;
-  for (const float distance : {0.0F, 1e-6F, kMaxDistance}) kept += interleaver.keep(distance, 3.15F) ? 1 : 0;
+  interleaver.keepEach({0.0F, 1e-6F, kMaxDistance}, {0.3F, 0.3F, 0.3F}, [&](std::uint32_t) { ++kept; });
   EXPECT_LE(kept, 3);
 }
 

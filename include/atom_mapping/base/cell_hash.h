@@ -3,15 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "atom_mapping/base/cells.h"
+
 namespace atom_map {
 
 // What hash tables of cubic cells share: how a cell becomes a key, and a key a place in a table of 2^n slots.
 
 // Of coordinates in cells, of which the lowest 21 bits count. Uses 63 bits.
-inline std::uint64_t cellKey(std::int32_t x, std::int32_t y, std::int32_t z) {
+inline std::uint64_t cellKey(const Cell& cell) {
   constexpr std::uint64_t kMask = (1U << 21U) - 1U;
-  return (static_cast<std::uint64_t>(x) & kMask) << 42U | (static_cast<std::uint64_t>(y) & kMask) << 21U |
-         (static_cast<std::uint64_t>(z) & kMask);
+  return (static_cast<std::uint64_t>(cell.x) & kMask) << 42U | (static_cast<std::uint64_t>(cell.y) & kMask) << 21U |
+         (static_cast<std::uint64_t>(cell.z) & kMask);
 }
 
 // Where the search for a key begins in a table of so many slots, a power of two and at least 2. Fibonacci hashing: a

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "atom_mapping/base/cell_hash.h"
-#include "atom_mapping/base/floor_to_int.h"
+#include "atom_mapping/base/cells.h"
 
 namespace atom_map {
 
@@ -18,20 +18,13 @@ class CellSet {
   CellSet(float cell_size, std::size_t expected_blocks)
       : cells_per_metre_(1.0F / cell_size), slots_(slotsFor(expected_blocks)) {}
 
-  // Adds the cell that holds the point. Returns the block's number, counted from 0 in the order of their first cells, or
-  // nothing if the cell was in the set already.
-  std::optional<std::uint32_t> insert(const Eigen::Vector3f& point) {
-    const std::int32_t x = cellOf(point.x());
-    const std::int32_t y = cellOf(point.y());
-    const std::int32_t z = cellOf(point.z());
-    Slot& slot = slotOf(cellKey(x >> 2, y >> 2, z >> 2));
-    const std::uint64_t cell = std::uint64_t{1} << ((x & 3) | (y & 3) << 2 | (z & 3) << 4);
-    if ((slot.cells & cell) != 0) return std::nullopt;
-    if (slot.cells == 0) slot.number = blocks_++;
-    slot.cells |= cell;
-    const std::uint32_t number = slot.number;
-    if (2 * blocks_ > slots_.size()) grow();
-    return number;
+  // Adds the cells that hold the points. Calls visit(i, block) for each point i below `count` whose cell was not in the set yet,
+  // with the number of its block, counted from 0 in the order of their first cells.
+  template <class PointOf, class Visit>
+  void insertEach(std::size_t count, const PointOf& point_of, Visit&& visit) {
+    forEachCell(count, cells_per_metre_, point_of, [&](std::size_t i, const Cell& cell) {
+      if (const auto block = insert(cell)) visit(i, *block);
+    });
   }
 
   std::uint32_t blocks() const { return blocks_; }
@@ -43,7 +36,17 @@ class CellSet {
     std::uint32_t number;
   };
 
-  std::int32_t cellOf(float coordinate) const { return floorToInt(coordinate * cells_per_metre_); }
+  // The block's number; nothing if the cell was in the set already.
+  std::optional<std::uint32_t> insert(const Cell& at) {
+    Slot& slot = slotOf(cellKey({at.x >> 2, at.y >> 2, at.z >> 2}));
+    const std::uint64_t cell = std::uint64_t{1} << ((at.x & 3) | (at.y & 3) << 2 | (at.z & 3) << 4);
+    if ((slot.cells & cell) != 0) return std::nullopt;
+    if (slot.cells == 0) slot.number = blocks_++;
+    slot.cells |= cell;
+    const std::uint32_t number = slot.number;
+    if (2 * blocks_ > slots_.size()) grow();
+    return number;
+  }
 
   Slot& slotOf(std::uint64_t key) {
     std::size_t i = firstSlot(key, slots_.size());

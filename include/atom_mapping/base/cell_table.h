@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "atom_mapping/base/cell_hash.h"
-#include "atom_mapping/base/floor_to_int.h"
+#include "atom_mapping/base/cells.h"
 
 namespace atom_map {
 
@@ -19,16 +19,12 @@ class CellTable {
       : cells_per_metre_(1.0F / cell_size), slots_(slotsFor(expected_cells)) {}
 
   // The value of the cell that holds the point, made from Value() at the first call. Valid until the next call.
-  Value& at(const Eigen::Vector3f& point) {
-    const std::uint64_t key = keyOf(point);
-    Slot* slot = &slotOf(key);
-    if (slot->key == key) return slot->value;
-    if (2 * ++size_ > slots_.size()) {
-      grow();
-      slot = &slotOf(key);
-    }
-    slot->key = key;
-    return slot->value;
+  Value& at(const Eigen::Vector3f& point) { return at(cellOf(point, cells_per_metre_)); }
+
+  // Calls visit(i, value) for each i below `count`, with the value of the cell that holds point_of(i).
+  template <class PointOf, class Visit>
+  void atEach(std::size_t count, const PointOf& point_of, Visit&& visit) {
+    forEachCell(count, cells_per_metre_, point_of, [&](std::size_t i, const Cell& cell) { visit(i, at(cell)); });
   }
 
   // Calls visit(value) for each cell that was asked for, in no particular order.
@@ -46,9 +42,16 @@ class CellTable {
     Value value{};
   };
 
-  std::uint64_t keyOf(const Eigen::Vector3f& p) const {
-    const auto cell = [&](int axis) { return floorToInt(p[axis] * cells_per_metre_); };
-    return cellKey(cell(0), cell(1), cell(2));
+  Value& at(const Cell& cell) {
+    const std::uint64_t key = cellKey(cell);
+    Slot* slot = &slotOf(key);
+    if (slot->key == key) return slot->value;
+    if (2 * ++size_ > slots_.size()) {
+      grow();
+      slot = &slotOf(key);
+    }
+    slot->key = key;
+    return slot->value;
   }
 
   // The one that holds the key, or the empty one where it belongs.

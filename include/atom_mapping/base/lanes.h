@@ -10,4 +10,10 @@ constexpr std::uint32_t kLane = 4;
 using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
 using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
 
+// Bit i tells whether lane i says yes.
+inline std::uint32_t maskOf(const Bits& bits) {
+  const Bits mask = bits & Bits{1, 2, 4, 8};
+  return static_cast<std::uint32_t>(mask[0] | mask[1] | mask[2] | mask[3]);
+}
+
 }  // namespace atom_map

@@ -45,10 +45,10 @@ class Vicinity {
   AtomTree& tree_;
   float radius_;
   float side_;
-  Eigen::AlignedBox3f block_;  // whose searches the leaves serve
-  std::vector<Atoms> leaves_;  // and some that hold nothing, up to whole lanes
+  Eigen::AlignedBox3f block_;     // whose searches the leaves serve
+  std::vector<Atoms> leaves_;     // and some that hold nothing, up to whole lanes
   std::vector<FourBoxes> boxes_;  // of each four leaves
-  std::vector<Atoms> near_;    // of the search at hand
+  std::vector<Atoms> near_;       // of the search at hand
   AtomTree::LeafSearch search_;
   AtomBlock empty_{1};
 };

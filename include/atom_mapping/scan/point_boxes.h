@@ -33,7 +33,7 @@ class PointBoxes {
   };
   struct Node {
     FourBoxes boxes;
-    std::array<Range, kLane> ranges{};           // of the points in each
+    std::array<Range, kLane> ranges{};            // of the points in each
     std::array<std::uint32_t, kLane> children{};  // the node that divides them further; 0: none
   };
 
@@ -43,9 +43,9 @@ class PointBoxes {
   bool isAnyBelow(std::uint32_t node, const Eigen::Vector3f& p, float squared_radius) const;
   bool isAnyIn(const Range& range, const Eigen::Vector3f& p, float squared_radius) const;
 
-  std::vector<Floats> points_;  // x, y, z, 0
+  std::vector<Floats> points_;                     // x, y, z, 0
   std::array<std::vector<float>, 3> coordinates_;  // the same by axes; after the last, a lane that is nowhere
-  std::vector<Node> nodes_;  // the root first
+  std::vector<Node> nodes_;                        // the root first
 };
 
 }  // namespace atom_map

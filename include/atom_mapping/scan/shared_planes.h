@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "atom_mapping/base/cell_table.h"
 #include "atom_mapping/base/known_plane.h"
+#include "atom_mapping/base/lanes.h"
 
 namespace atom_map {
 
@@ -19,17 +21,19 @@ struct Patch {
   bool is_seen = false;    // whether returns of the scan at hand lie on it
 
   float distanceTo(const Eigen::Vector3f& point) const;  // m
-
-  // Whether a return at the point can lie on this side of it: not if it would be seen from behind or too obliquely.
-  bool faces(const Eigen::Vector3f& sensor, const Eigen::Vector3f& point) const;
 };
 
-// The first planes of a cell.
+// The first planes of a cell, four of which are compared with a point at once.
 class Patches {
  public:
-  // The plane that a return lies on, the nearest of those within the tolerance (m) that so many fits agree on; nullptr if
-  // there is none. Valid until the next change.
-  Patch* find(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor, float tolerance, int least_fits);
+  // The number of the plane that a return lies on, the nearest of those within the tolerance (m) that so many fits agree on.
+  std::optional<std::uint32_t> find(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor, float tolerance,
+                                    int least_fits) const;
+
+  std::uint32_t size() const { return size_; }
+  Patch operator[](std::uint32_t i) const;
+  void see(std::uint32_t i) { lanes_[i / kLane].is_seen[i % kLane] = 1; }  // a return lies on it
+  void doubt(std::uint32_t i) { --lanes_[i / kLane].fits[i % kLane]; }     // one agrees less
 
   // Dropped where the cell has enough.
   void add(const Patch& patch);
@@ -37,11 +41,16 @@ class Patches {
   // Joins one that was fitted to the point with one that agrees with it, or adds it. Returns how many agree on it now.
   int join(const Patch& patch, const Eigen::Vector3f& point, float tolerance);
 
-  const Patch* begin() const { return planes_.data(); }
-  const Patch* end() const { return planes_.data() + size_; }
-
  private:
-  std::array<Patch, 6> planes_;
+  void set(std::uint32_t i, const Patch& patch);
+
+  struct Lane {
+    Floats x{}, y{}, z{};                                              // of the normals
+    Floats level = Floats{} + std::numeric_limits<float>::infinity();  // no point lies on those that are not there
+    Bits fits{};
+    Bits is_seen{};
+  };
+  std::array<Lane, 2> lanes_;
   std::uint32_t size_ = 0;
 };
 
