@@ -19,33 +19,29 @@ constexpr int kSure = 3;                     // fits that agree on a plane that 
 constexpr int kMostFits = 16;                // that a plane is the mean of; then the latest count for more
 constexpr std::uint32_t kFitAgain = 64;      // of so many returns on known planes one is fitted all the same
 
-// Whether a return can lie on this side of a plane: not if it would be seen from behind or too obliquely. `ray`: from the return
-// to the sensor.
-bool faces(const Eigen::Vector3f& normal, const Eigen::Vector3f& ray) {
-  const float depth = normal.dot(ray);
-  return depth > 0.0F && depth * depth > kMinFacing * kMinFacing * ray.squaredNorm();
-}
-
 }  // namespace
 
 float Patch::distanceTo(const Eigen::Vector3f& point) const {
   return std::abs(normal.dot(point) - level);
 }
 
+// A return can lie on a plane unless the sensor would see that from behind or too obliquely.
 std::optional<std::uint32_t> Patches::find(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor, float tolerance,
                                            int least_fits) const {
+  const Eigen::Vector3f ray = sensor - point;
+  const float least_depth = kMinFacing * kMinFacing * ray.squaredNorm();  // squared
   std::optional<std::uint32_t> found;
   for (std::uint32_t first = 0; first < size_; first += kLane) {
     const Lane& lane = lanes_[first / kLane];
+    const Floats depth = lane.x * ray.x() + lane.y * ray.y() + lane.z * ray.z();
     const Floats offset = lane.x * point.x() + lane.y * point.y() + lane.z * point.z() - lane.level;
-    const Floats distance = offset < 0.0F ? -offset : offset;
-    const Bits lies_on = (distance < tolerance) & (lane.fits >= least_fits);
-    for (std::uint32_t mask = maskOf(lies_on); mask != 0; mask &= mask - 1) {
-      const auto i = static_cast<std::uint32_t>(__builtin_ctz(mask));
-      if (distance[i] >= tolerance || !faces({lane.x[i], lane.y[i], lane.z[i]}, sensor - point)) continue;
-      tolerance = distance[i];
-      found = first + i;
-    }
+    const Bits may_lie = (lane.fits >= least_fits) & (depth > 0.0F) & (depth * depth > least_depth);
+    Floats distance = offset < 0.0F ? -offset : offset;
+    distance = may_lie ? distance : Floats{} + std::numeric_limits<float>::infinity();
+    const std::uint32_t i = indexOfLeast(distance);
+    if (distance[i] >= tolerance) continue;
+    tolerance = distance[i];
+    found = first + i;
   }
   return found;
 }

@@ -10,6 +10,13 @@ constexpr std::uint32_t kLane = 4;
 using Floats = float __attribute__((vector_size(sizeof(float) * kLane)));
 using Bits = std::int32_t __attribute__((vector_size(sizeof(float) * kLane)));
 
+// The lane that holds the least number, the first of those that do.
+inline std::uint32_t indexOfLeast(const Floats& numbers) {
+  const std::uint32_t low = numbers[1] < numbers[0] ? 1 : 0;
+  const std::uint32_t high = numbers[3] < numbers[2] ? 3 : 2;
+  return numbers[high] < numbers[low] ? high : low;
+}
+
 // Bit i tells whether lane i says yes.
 inline std::uint32_t maskOf(const Bits& bits) {
   const Bits mask = bits & Bits{1, 2, 4, 8};
