@@ -73,8 +73,8 @@ std::uint32_t PointBoxes::add(const Range& range) {
 bool PointBoxes::isAnyBelow(std::uint32_t node, const Eigen::Vector3f& p, float squared_radius) const {
   const Node& at = nodes_[node];
   const Bits within = at.boxes.squaredDistances(p) < squared_radius;
-  for (std::uint32_t mask = maskOf(within); mask != 0; mask &= mask - 1) {
-    const auto i = static_cast<std::uint32_t>(__builtin_ctz(mask));
+  for (std::uint32_t i = 0; i < kLane; ++i) {
+    if (within[i] == 0) continue;
     const std::uint32_t child = at.children[i];
     if (child != 0 ? isAnyBelow(child, p, squared_radius) : isAnyIn(at.ranges[i], p, squared_radius)) return true;
   }
@@ -94,7 +94,7 @@ bool PointBoxes::isAnyIn(const Range& range, const Eigen::Vector3f& p, float squ
     }
     near |= squared < squared_radius;
   }
-  return maskOf(near) != 0;
+  return (near[0] | near[1] | near[2] | near[3]) != 0;
 }
 
 }  // namespace atom_map
