@@ -42,7 +42,7 @@ std::size_t AtomTree::removeBeyond(const Eigen::Vector3f& p, float radius, std::
   assert(radius >= 0.0F && at_most > 0);
   const std::size_t removed = remove(Beyond{p, radius * radius}, at_most);
   if (size_ > 0 && removed < at_most) {  // all is within: the box of a long drive shrinks to what is left of it
-    const float rounding = kRounding * (radius + p.cwiseAbs().maxCoeff());
+    const float rounding = kTreeRounding * (radius + p.cwiseAbs().maxCoeff());
     const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius + 2.0F * rounding);
     extent_ = extent_.intersection(Eigen::AlignedBox3f(p - reach, p + reach));
   }

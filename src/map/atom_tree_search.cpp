@@ -41,6 +41,7 @@ void AtomTree::findLeaves(const Eigen::AlignedBox3f& box, LeafSearch& search) {
     add({axis ? plane : at.min, at.max, node.children[1]}, box.max()[node.axis] >= node.plane);
   }
 }
+
 namespace {
 
 void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& neighbor) {
@@ -53,34 +54,25 @@ void keepNearest(std::vector<Neighbor>& best, std::size_t k, const Neighbor& nei
 
 }  // namespace
 
-AtomTree::Way::Way(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) {
-  constexpr float kLeastWay = 1e-30F;  // m; planes beside a way that goes none along an axis are crossed far off
-  for (int i = 0; i < 3; ++i) {
-    const float way = to[i] - from[i];
-    const float rounding = 4.0F * kRounding * (std::max(std::abs(from[i]), std::abs(to[i])) + radius + std::abs(way));
-    const float shares_per_metre = 1.0F / std::copysign(std::max(std::abs(way), kLeastWay), way);
-    axes[static_cast<std::size_t>(i)] = {from[i], shares_per_metre, (radius + rounding) * std::abs(shares_per_metre)};
-  }
-}
-
 // Of a radius about p, with the rounding of what is compared with planes so near.
 float AtomTree::widenedAt(const Eigen::Vector3f& p, float radius) {
-  return radius + 2.0F * kRounding * (p.cwiseAbs().maxCoeff() + radius);
+  return radius + 2.0F * kTreeRounding * (p.cwiseAbs().maxCoeff() + radius);
 }
 
 AtomTree::Split AtomTree::splitAt(const Inner& node, const Eigen::Vector3f& p) const {
   const float plane = node.plane;
   const float offset = p[node.axis] - plane;
   const std::size_t near = offset >= 0.0F ? 1 : 0;
-  return {node.children[near], node.children[1 - near], std::max(0.0F, std::abs(offset) - kRounding * std::abs(plane))};
+  return {node.children[near], node.children[1 - near],
+          std::max(0.0F, std::abs(offset) - kTreeRounding * std::abs(plane))};
 }
 
 std::optional<Eigen::Vector3f> AtomTree::anyWithin(const Eigen::Vector3f& p, float radius) const {
-  return size_ > 0 ? anyBelow(root_, p, radius * radius, Gap()) : std::nullopt;
+  return size_ > 0 ? anyBelow(root_, p, radius * radius, GapToBox()) : std::nullopt;
 }
 
 std::optional<Eigen::Vector3f> AtomTree::anyBelow(Child child, const Eigen::Vector3f& p, float squared_radius,
-                                                  const Gap& gap) const {
+                                                  const GapToBox& gap) const {
   if (isLeaf(child)) {
     const AtomBlock& block = leaf(child);
     std::optional<Eigen::Vector3f> found;
@@ -90,7 +82,7 @@ std::optional<Eigen::Vector3f> AtomTree::anyBelow(Child child, const Eigen::Vect
   const Inner& node = inner(child);
   const Split split = splitAt(node, p);
   if (const auto found = anyBelow(split.near, p, squared_radius, gap)) return found;
-  const Gap beyond = gap.beyond(node.axis, split.distance);
+  const GapToBox beyond = gap.beyond(node.axis, split.distance);
   return beyond.squared < squared_radius ? anyBelow(split.far, p, squared_radius, beyond) : std::nullopt;
 }
 
@@ -103,11 +95,11 @@ std::optional<Neighbor> AtomTree::nearest(const Eigen::Vector3f& p, float max_di
 void AtomTree::kNearest(const Eigen::Vector3f& p, std::size_t k, float max_distance,
                         std::vector<Neighbor>& neighbors) const {
   neighbors.clear();
-  if (size_ > 0 && k > 0) kNearestBelow(root_, p, k, max_distance * max_distance, Gap(), neighbors);
+  if (size_ > 0 && k > 0) kNearestBelow(root_, p, k, max_distance * max_distance, GapToBox(), neighbors);
 }
 
 void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
-                             const Gap& gap, std::vector<Neighbor>& best) const {
+                             const GapToBox& gap, std::vector<Neighbor>& best) const {
   const auto bound = [&] { return best.size() == k ? best.back().squared_distance : max_squared_distance; };
   if (isLeaf(child)) {
     const AtomBlock& block = leaf(child);
@@ -122,7 +114,7 @@ void AtomTree::kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t 
   const Inner& node = inner(child);
   const Split split = splitAt(node, p);
   kNearestBelow(split.near, p, k, max_squared_distance, gap, best);
-  const Gap beyond = gap.beyond(node.axis, split.distance);
+  const GapToBox beyond = gap.beyond(node.axis, split.distance);
   if (beyond.squared < bound()) kNearestBelow(split.far, p, k, max_squared_distance, beyond, best);
 }
 

@@ -18,42 +18,23 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "atom_mapping/map/atom_block.h"
+#include "atom_mapping/map/atom_ref.h"
 #include "atom_mapping/map/cell_key.h"
 #include "atom_mapping/map/chunked_array.h"
+#include "atom_mapping/map/leaf_search.h"
+#include "atom_mapping/map/tree_geometry.h"
 
 namespace atom_map {
 
-// An atom where it lies in the tree.
-template <class Block>
-struct BasicAtomRef {
-  Block* block;
-  std::uint32_t index;
-
-  Eigen::Vector3f center() const { return block->center(index); }
-  float value(int v = 0) const { return block->channel(3 + v)[index]; }
-  void setValue(int v, float value) const { block->setValue(index, v, value); }
-};
-using AtomRef = BasicAtomRef<AtomBlock>;
-using ConstAtomRef = BasicAtomRef<const AtomBlock>;
-
-struct Neighbor {
-  Eigen::Vector3f center;
-  float squared_distance;
-  std::array<float, 2> values;  // as many as the tree has, then 0
-};
-
 class AtomTree {
  public:
-  class LeafSearch;
   static constexpr std::uint32_t kLeafCapacity = 32;  // atoms
   static constexpr std::size_t kEvery = std::numeric_limits<std::size_t>::max();
 
@@ -120,8 +101,6 @@ class AtomTree {
   std::size_t bytesAfterInsert() const;  // at most
 
  private:
-  // Of a coordinate or of the difference of two near it, with two roundings to spare.
-  static constexpr float kRounding = 4e-7F;
   static constexpr std::size_t kMaxDepth = 96;  // levels of CellKey
 
   // A child is an inner node's index, or the complement of a leaf's.
@@ -134,38 +113,11 @@ class AtomTree {
 
     std::size_t side(const Eigen::Vector3f& p) const { return p[axis] >= plane ? 1 : 0; }
   };
-  // From a point to the box that a child's way through the planes leaves.
-  struct Gap {
-    std::array<float, 3> squared_along{};  // m^2, of each axis
-    float squared = 0.0F;
-
-    // To the part of the box that begins at that offset along an axis, which must be farther than it began.
-    float squaredBeyond(int axis, float offset) const {
-      return squared + (offset * offset - squared_along[static_cast<std::size_t>(axis)]);
-    }
-    Gap beyond(int axis, float offset) const {
-      Gap gap = *this;
-      gap.squared = squaredBeyond(axis, offset);
-      gap.squared_along[static_cast<std::size_t>(axis)] = offset * offset;
-      return gap;
-    }
-  };
   // A node's children, seen from a point.
   struct Split {
     Child near;
     Child far;
     float distance;  // m, to the plane between them
-  };
-  // A straight way, as the planes across each axis cut it: by shares of the way.
-  struct Way {
-    struct Axis {
-      float start;  // m
-      float shares_per_metre;
-      float reach;  // the radius and the rounding, in shares
-    };
-    std::array<Axis, 3> axes;
-
-    Way(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius);
   };
   // Where a child hangs: survives the growth of the node arrays, which a pointer does not.
   struct Place {
@@ -217,16 +169,16 @@ class AtomTree {
   template <class FindLeaves, class Visit>
   void visitPrefetched(const FindLeaves& find_leaves, const Visit& visit) const;
   template <class Visit>
-  void visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, const Gap& gap,
+  void visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, const GapToBox& gap,
                          Visit&& visit) const;
   template <class Visit>
-  void visitLeavesAlong(Child child, const Way& way, float begin, float end, Visit&& visit) const;
+  void visitLeavesAlong(Child child, const CutWay& way, float begin, float end, Visit&& visit) const;
   static float widenedAt(const Eigen::Vector3f& p, float radius);
   Split splitAt(const Inner& node, const Eigen::Vector3f& p) const;
   std::optional<Eigen::Vector3f> anyBelow(Child child, const Eigen::Vector3f& p, float squared_radius,
-                                          const Gap& gap) const;
-  void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance, const Gap& gap,
-                     std::vector<Neighbor>& best) const;
+                                          const GapToBox& gap) const;
+  void kNearestBelow(Child child, const Eigen::Vector3f& p, std::size_t k, float max_squared_distance,
+                     const GapToBox& gap, std::vector<Neighbor>& best) const;
 
   float cell_;  // m
   float cells_per_metre_;
@@ -239,20 +191,6 @@ class AtomTree {
   ChunkedArray<AtomBlock> leaves_;
   std::vector<Child> free_inners_;
   std::vector<Child> free_leaves_;
-};
-
-// What forEachLeaf needs to work.
-class AtomTree::LeafSearch {
- private:
-  friend class AtomTree;
-  struct Node {
-    Floats min;  // m, of the box that the node's way through the planes leaves; the fourth means nothing
-    Floats max;
-    Child child;
-  };
-  std::vector<Node> waiting_;  // inner nodes
-  std::vector<Node> leaves_;
-  std::size_t leaf_count_ = 0;
 };
 
 }  // namespace atom_map

@@ -46,7 +46,7 @@ void AtomTree::visitPrefetched(const FindLeaves& find_leaves, const Visit& visit
 
 // Calls visit(leaf's child reference) for each leaf whose box comes nearer to p than the radius. `squared_radius`: widened.
 template <class Visit>
-void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, const Gap& gap,
+void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float squared_radius, const GapToBox& gap,
                                  Visit&& visit) const {
   while (!isLeaf(child)) {
     const Inner& node = inner(child);
@@ -56,7 +56,7 @@ void AtomTree::visitLeavesWithin(Child child, const Eigen::Vector3f& p, float sq
       child = node.children[is_above ? 1 : 0];
       continue;
     }
-    const Gap beyond = gap.beyond(node.axis, offset);
+    const GapToBox beyond = gap.beyond(node.axis, offset);
     visitLeavesWithin(node.children[0], p, squared_radius, is_above ? beyond : gap, visit);
     visitLeavesWithin(node.children[1], p, squared_radius, is_above ? gap : beyond, visit);
     return;
@@ -80,7 +80,7 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
   const float squared_radius = radius * radius;
   const float widened = widenedAt(p, radius);
   const auto find_leaves = [&](const auto& found) {
-    visitLeavesWithin(root_, p, widened * widened, Gap(), [&](Child child) {
+    visitLeavesWithin(root_, p, widened * widened, GapToBox(), [&](Child child) {
       if (leaf(child).mayHold(signs)) found(child);
     });
   };
@@ -94,10 +94,10 @@ void AtomTree::forEachWithin(const Eigen::Vector3f& p, float radius, Visit&& vis
 // Calls visit(leaf's child reference) for each leaf whose side of every split comes nearer to the way than its radius. Of the
 // way from share `begin` to share `end`, each side gets what is near to it.
 template <class Visit>
-void AtomTree::visitLeavesAlong(Child child, const Way& way, float begin, float end, Visit&& visit) const {
+void AtomTree::visitLeavesAlong(Child child, const CutWay& way, float begin, float end, Visit&& visit) const {
   while (!isLeaf(child)) {
     const Inner& node = inner(child);
-    const Way::Axis& axis = way.axes[node.axis];
+    const CutWay::Axis& axis = way.axes[node.axis];
     const float crossing = (node.plane - axis.start) * axis.shares_per_metre;
     const bool meets_first = begin < crossing + axis.reach;
     const bool meets_second = end >= crossing - axis.reach;
@@ -118,7 +118,7 @@ void AtomTree::forEachAlong(const Eigen::Vector3f& from, const Eigen::Vector3f& 
   const float squared_length = way.squaredNorm();
   const Eigen::Vector3f to_share = squared_length > 0.0F ? Eigen::Vector3f(way / squared_length) : way;
   const float squared_radius = radius * radius;
-  const Way cut(from, to, radius);
+  const CutWay cut(from, to, radius);
   const auto find_leaves = [&](const auto& found) { visitLeavesAlong(root_, cut, 0.0F, 1.0F, found); };
   visitPrefetched(find_leaves, [&](const AtomBlock& block) {
     for (std::uint32_t first = 0; first < block.size(); first += AtomBlock::kMaskSize) {

@@ -49,7 +49,7 @@ class Vicinity {
   std::vector<Atoms> leaves_;     // and some that hold nothing, up to whole lanes
   std::vector<FourBoxes> boxes_;  // of each four leaves
   std::vector<Atoms> near_;       // of the search at hand
-  AtomTree::LeafSearch search_;
+  LeafSearch search_;
   AtomBlock empty_{1};
 };
 
