@@ -66,7 +66,7 @@ void Patches::set(std::uint32_t i, const Patch& patch) {
 }
 
 void Patches::add(const Patch& patch) {
-  if (size_ == kLane * lanes_.size()) return;
+  if (size_ == kMost) return;
   set(size_++, patch);
 }
 

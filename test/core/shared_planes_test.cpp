@@ -61,7 +61,7 @@ TEST(Patches, FindTheNearestPlaneThatAReturnMayLieOn) {
   for (int cell = 0; cell < 300; ++cell) {
     Patches patches;
     std::vector<Patch> planes;
-    for (std::size_t i = drawIndex(random, 9); i > 0; --i) {
+    for (std::size_t i = drawIndex(random, Patches::kMost + 1); i > 0; --i) {
       planes.push_back(drawPatch(random));
       patches.add(planes.back());
     }
@@ -84,7 +84,7 @@ TEST(Patches, FindTheNearestPlaneThatAReturnMayLieOn) {
 TEST(Patches, OfMoreThanACellHoldsTheLatestAreDropped) {
   Patches patches;
   for (int i = 0; i < 20; ++i) patches.add({Vector3f::UnitZ(), static_cast<float>(i)});
-  ASSERT_LT(patches.size(), 20U);
+  ASSERT_EQ(patches.size(), Patches::kMost);
   for (std::uint32_t i = 0; i < patches.size(); ++i) EXPECT_EQ(patches[i].level, static_cast<float>(i));
 }
 

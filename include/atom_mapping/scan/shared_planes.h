@@ -24,8 +24,11 @@ struct Patch {
 };
 
 // The first planes of a cell, four of which are compared with a point at once.
+// Choice: no more than six. The more there are, the more returns of cluttered places lie on one by chance.
 class Patches {
  public:
+  static constexpr std::uint32_t kMost = 6;
+
   // The number of the plane that a return lies on, the nearest of those within the tolerance (m) that so many fits agree on.
   std::optional<std::uint32_t> find(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor, float tolerance,
                                     int least_fits) const;
@@ -50,7 +53,7 @@ class Patches {
     Bits fits{};
     Bits is_seen{};
   };
-  std::array<Lane, 2> lanes_;
+  std::array<Lane, (kMost + kLane - 1) / kLane> lanes_;
   std::uint32_t size_ = 0;
 };
 
