@@ -36,7 +36,7 @@ double FreeWay::end(double from, double range) {
 }
 
 void FreeWay::look(double from, double range) {
-  count_ = std::clamp(2 * count_, kCells, kMaxCells);
+  count_ = std::clamp(4 * count_, kCells, kMaxCells);
   begin_ = from;
   end_ = from + count_ * static_cast<double>(cell_);
   free_ = {};

@@ -19,8 +19,8 @@ class FreeWay {
   double end(double from, double range);
 
  private:
-  // The ray is looked at in parts, cell by cell: a bit each, whose claims need no sorting. Each part is twice as long as the
-  // one before, up to kMaxCells: many rays end soon, and a long way costs least in few parts.
+  // The ray is looked at in parts, cell by cell: a bit each, whose claims need no sorting. The first part is short, since
+  // many rays end soon; a long way costs least in few parts.
   static constexpr int kCells = 64;
   static constexpr int kMaxCells = 256;
   using Cells = std::array<std::uint64_t, kMaxCells / kCells>;
