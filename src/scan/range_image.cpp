@@ -53,12 +53,14 @@ void RangeImage::placeAll(const Directions& directions, float rows_per_radian) {
     pixels[i].row = floorToInt(directions.elevation[i] * rows_per_radian - phase);
     pixels[i].column = column < columns ? column : 0;
   }
-  first_row_ = pixels[0].row;
-  end_row_ = first_row_ + 1;
+  int first = pixels[0].row;
+  int last = first;
   for (std::size_t i = 1; i < count; ++i) {
-    first_row_ = std::min(first_row_, pixels[i].row);
-    end_row_ = std::max(end_row_, pixels[i].row + 1);
+    first = std::min(first, pixels[i].row);
+    last = std::max(last, pixels[i].row);
   }
+  first_row_ = first;
+  end_row_ = last + 1;
 }
 
 void RangeImage::keepNearest(const std::vector<float>& ranges) {

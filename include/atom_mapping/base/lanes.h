@@ -17,10 +17,9 @@ inline std::uint32_t indexOfLeast(const Floats& numbers) {
   return numbers[high] < numbers[low] ? high : low;
 }
 
-// Bit i tells whether lane i says yes.
-inline std::uint32_t maskOf(const Bits& bits) {
-  const Bits mask = bits & Bits{1, 2, 4, 8};
-  return static_cast<std::uint32_t>(mask[0] | mask[1] | mask[2] | mask[3]);
+// The bits that any lane has.
+inline std::uint32_t unionOf(const Bits& bits) {
+  return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
 }
 
 }  // namespace atom_map

@@ -111,7 +111,7 @@ std::uint32_t AtomBlock::maskOf(std::uint32_t first, const IsNear& is_near) cons
     near |= is_near(x, y, z) & bit;
     bit <<= kLane;
   }
-  return static_cast<std::uint32_t>(near[0] | near[1] | near[2] | near[3]);
+  return unionOf(near);
 }
 
 inline std::uint32_t AtomBlock::nearMask(const Eigen::Vector3f& p, float squared_radius, std::uint32_t first) const {

@@ -37,14 +37,15 @@ class PointBoxes {
     std::array<std::uint32_t, kLane> children{};  // the node that divides them further; 0: none
   };
 
-  Box boxOf(const Range& range) const;
-  std::uint32_t divide(const Range& range);
-  std::uint32_t add(const Range& range);
+  using Points = std::vector<Floats>;  // x, y, z, 0
+
+  static Box boxOf(const Points& points, const Range& range);
+  static std::uint32_t divide(Points& points, const Range& range);
+  std::uint32_t add(Points& points, const Range& range);
   bool isAnyBelow(std::uint32_t node, const Eigen::Vector3f& p, float squared_radius) const;
   bool isAnyIn(const Range& range, const Eigen::Vector3f& p, float squared_radius) const;
 
-  std::vector<Floats> points_;                     // x, y, z, 0
-  std::array<std::vector<float>, 3> coordinates_;  // the same by axes; after the last, a lane that is nowhere
+  std::array<std::vector<float>, 3> coordinates_;  // of the points, by axes; after the last, a lane that is nowhere
   std::vector<Node> nodes_;                        // the root first
 };
 
