@@ -2,7 +2,6 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstring>
@@ -10,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../test_folder.h"
 #include "atom_mapping/base/random.h"
 #include "atom_mapping/io/export_atoms.h"
 #include "atom_mapping/io/read_atoms.h"
@@ -74,11 +74,6 @@ Table readCsv(const std::string& file) {
   return table;
 }
 
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 AtomMap makeMap(Mode mode, const Eigen::Vector3d& origin, int atoms) {
   AtomMap map(mode, 0.25);
   map.anchor(origin);
@@ -121,16 +116,8 @@ std::string messageOf(const AtomMap& map, const std::string& file) {
   return "";
 }
 
-class ExportAtoms : public testing::Test {
+class ExportAtoms : public FolderTest {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("export_atoms_" + std::to_string(getpid()));
   const AtomMap map_ = makeMap(Mode::kOccupancy, {0, 0, 0}, 1000);
 };
 

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "../test_folder.h"
 #include "atom_mapping/io/map_file.h"
 #include "draw.h"
 
@@ -58,11 +57,6 @@ inline MapCopy copyOf(const MappingParameters& parameters, AtomMap map, std::uin
   return copyMap(mapper);
 }
 
-inline std::string contents(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // What loadMap says against a file; empty if nothing.
 inline std::string faultOf(const std::string& file) {
   try {
@@ -73,16 +67,8 @@ inline std::string faultOf(const std::string& file) {
   }
 }
 
-class MapFile : public testing::Test {
+class MapFile : public FolderTest {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   std::string write(const std::string& bytes) const {
     std::ofstream(path("written.h5"), std::ios::binary) << bytes;
     return path("written.h5");
@@ -93,9 +79,6 @@ class MapFile : public testing::Test {
     EXPECT_EQ(fault.rfind("cannot load " + file + ": ", 0), 0U) << fault;
     EXPECT_NE(fault.find(reason), std::string::npos) << "expected: " << reason << "\n" << fault;
   }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("map_file_" + std::to_string(getpid()));
 };
 
 }  // namespace atom_map

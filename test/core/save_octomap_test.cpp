@@ -2,31 +2,26 @@
 #include "atom_mapping/baseline/save_octomap.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "../test_folder.h"
 #include "atom_mapping/baseline/octomap_mapper.h"
 #include "simulated.h"
 
 namespace atom_map {
 namespace {
 
-namespace fs = std::filesystem;
-
-class SaveOctomap : public testing::Test {
+class SaveOctomap : public FolderTest {
  protected:
   void SetUp() override {
     const Drive drive = makeDrive("hall", 2);
     for (std::size_t i = 0; i < drive.scans.size(); ++i) mapper_.insertScan(drive.scans[i], drive.poses[i]);
-    fs::create_directories(folder_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string save(const std::string& name) const {
-    const std::string file = (folder_ / name).string();
+    const std::string file = path(name);
     mapper_.read([&](const OctomapBaseline& map) { saveOctomap(map.tree(), file); });
     return file;
   }
@@ -45,7 +40,6 @@ class SaveOctomap : public testing::Test {
     });
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("octomap_" + std::to_string(getpid()));
   OctomapMapper mapper_{MappingParameters(), OctomapParameters()};
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "map_file_request.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
@@ -33,12 +34,6 @@ CheckCollision::Request sphere(const Vector3d& center, float radius, bool unknow
   request.centers.push_back(toPoint(center));
   request.radii.push_back(radius);
   request.unknown_is_free = unknown_is_free ? 1 : 0;
-  return request;
-}
-
-MapFile::Request fileOf(const std::string& file) {
-  MapFile::Request request;
-  request.file = file;
   return request;
 }
 
@@ -127,16 +122,16 @@ TEST_F(BaselineQueriesTest, WhatCannotBeServedIsRefused) {
 
 TEST_F(BaselineQueriesTest, MapsAreSavedOrItIsSaidWhyNot) {
   const std::string file = testing::TempDir() + "baseline_" + std::to_string(getpid()) + ".bt";
-  const auto saved = queries_.answer(fileOf(file));
+  const auto saved = queries_.answer(at(file));
   ASSERT_TRUE(saved.success) << saved.message;
   EXPECT_EQ(saved.atoms, server_.read([](const auto& map) { return map.tree().getNumLeafNodes(); }));
   octomap::OcTree tree(1.0);
   EXPECT_TRUE(tree.readBinary(file));
   EXPECT_GT(tree.size(), 1000U);
   std::filesystem::remove(file);
-  expectRefused(fileOf("map.ply"), ".ot or .bt");
-  expectRefused(fileOf(""), ".ot or .bt");
-  expectRefused(fileOf("/none/map.ot"), "No such file or directory");
+  expectRefused(at("map.ply"), ".ot or .bt");
+  expectRefused(at(""), ".ot or .bt");
+  expectRefused(at("/none/map.ot"), "No such file or directory");
 }
 
 TEST_F(BaselineQueriesTest, ResetLeavesNothingKnown) {

@@ -1,30 +1,24 @@
 // The program evaluate_map, started as a user would.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include "../test_folder.h"
 #include "program_runner.h"
 
 namespace atom_mapping {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
-class EvaluateMap : public testing::Test {
+class EvaluateMap : public FolderTest {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   json evaluate(const std::string& arguments) const {
-    const std::string file = (folder_ / "figures.json").string();
+    const std::string file = path("figures.json");
     const auto result = runProgram("evaluate_map", "--json " + file + " " + arguments, folder_);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return json::parse(contents(file));
   }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("evaluate_map_" + std::to_string(getpid()));
 };
 
 TEST_F(EvaluateMap, AClosedSceneHasQualityAtEveryDistance) {

@@ -3,26 +3,19 @@
 
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "../test_folder.h"
 #include "atom_mapping/MapFile.h"
 #include "atom_mapping/map/map_copy.h"
 #include "atom_mapping/ros/map_storage.h"
 #include "atom_mapping/ros/scan_server.h"
+#include "map_file_request.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
-
-inline std::string contents(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // Every bit of a server's map, in its order.
 inline std::vector<float> bitsOf(const ScanServer& server) {
@@ -33,12 +26,6 @@ inline std::vector<float> bitsOf(const ScanServer& server) {
   return bits;
 }
 
-inline MapFile::Request at(const std::string& file) {
-  MapFile::Request request;
-  request.file = file;
-  return request;
-}
-
 inline atom_map::MappingParameters coarse() {
   atom_map::MappingParameters parameters;
   parameters.radius = 0.5;
@@ -46,16 +33,8 @@ inline atom_map::MappingParameters coarse() {
   return parameters;
 }
 
-class MapStorageTest : public testing::Test {
+class MapStorageTest : public FolderTest {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   void mapScans(ScanServer& server, int begin, int end) {
     for (int i = begin; i < end; ++i) {
       transforms_.setTransform(drive_.transform(i), "test");
@@ -79,8 +58,6 @@ class MapStorageTest : public testing::Test {
     return path("other.h5");
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("map_storage_" + std::to_string(getpid()));
   SimulatedDrive drive_ = makeCoarseDrive();
   tf2::BufferCore transforms_;
   ScanServer server_{coarse()};

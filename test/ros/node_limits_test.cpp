@@ -5,6 +5,7 @@
 
 #include "atom_mapping/MapFile.h"
 #include "atom_mapping/io/map_file.h"
+#include "map_file_request.h"
 #include "node_client.h"
 
 namespace atom_mapping {
@@ -62,9 +63,7 @@ TEST_F(NodeLimits, AMapThatIsTooLargeIsRefused) {
   mapper.insertScan(atom_map::toLidarScan(drive.scan(0)), drive.pose(0));
   const auto file = std::filesystem::temp_directory_path() / ("node_limits_" + std::to_string(getpid()) + ".h5");
   atom_map::saveMap(atom_map::copyMap(mapper), file.string());
-  MapFile::Request request;
-  request.file = file.string();
-  const auto response = NodeClient::call<MapFile>("load_map", request);
+  const auto response = NodeClient::call<MapFile>("load_map", at(file.string()));
   std::filesystem::remove(file);
   EXPECT_FALSE(response.success);
   EXPECT_NE(response.message.find("limits/max_atoms 500"), std::string::npos) << response.message;

@@ -6,9 +6,11 @@
 #include <csignal>
 #include <filesystem>
 
+#include "../test_folder.h"
 #include "atom_mapping/MapFile.h"
 #include "atom_mapping/QueryOccupancy.h"
 #include "atom_mapping/io/map_file.h"
+#include "map_file_request.h"
 #include "node_client.h"
 
 namespace atom_mapping {
@@ -18,12 +20,6 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 constexpr int kScans = 3;
-
-MapFile::Request at(const std::string& file) {
-  MapFile::Request request;
-  request.file = file;
-  return request;
-}
 
 // A node beside the one under test, named `second`, that starts from a map, whatever its own radius, and leaves one.
 class SecondNode {
@@ -49,11 +45,8 @@ class SecondNode {
   pid_t process_;
 };
 
-class NodeMapFile : public testing::Test {
+class NodeMapFile : public FolderTest {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void mapScans() {
     ASSERT_TRUE(client_.waitForNode());
     for (int i = 0; i < kScans; ++i) {
@@ -75,9 +68,6 @@ class NodeMapFile : public testing::Test {
     return response;
   }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("node_map_file_" + std::to_string(getpid()));
   NodeClient client_;
   SimulatedDrive drive_;
 };

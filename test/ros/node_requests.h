@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "atom_mapping/MapFile.h"
+#include "map_file_request.h"
 #include "node_client.h"
 
 namespace atom_mapping {
@@ -46,12 +47,6 @@ inline geometry_msgs::Point pointAt(double x, double y, double z) {
   point.y = y;
   point.z = z;
   return point;
-}
-
-inline MapFile::Request at(const std::string& file) {
-  MapFile::Request request;
-  request.file = file;
-  return request;
 }
 
 class NodeRequests : public testing::TestWithParam<const char*> {

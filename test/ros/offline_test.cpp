@@ -3,13 +3,12 @@
 #include <rosbag/bag.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "../test_folder.h"
 #include "atom_mapping/baseline/export_octree.h"
 #include "atom_mapping/io/export_atoms.h"
 #include "atom_mapping/io/map_file.h"
@@ -21,8 +20,6 @@
 
 namespace atom_mapping {
 namespace {
-
-namespace fs = std::filesystem;
 
 ros::Time stampOf(int scan) {
   return ros::Time(1500000000) + ros::Duration(0.1 * scan);
@@ -56,16 +53,8 @@ struct BagContent {
   int first_transform = 0;          // scan from which on there are some
 };
 
-class Offline : public testing::Test {
+class Offline : public FolderTest {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   std::string writeBag(const std::string& name, const BagContent& content) const {
     rosbag::Bag bag(path(name), rosbag::bagmode::Write);
     bag.write("/chatter", stampOf(0), std_msgs::String());
@@ -93,8 +82,6 @@ class Offline : public testing::Test {
     EXPECT_TRUE(contains(result.err, "atom_mapping_offline: ")) << result.err;
     EXPECT_TRUE(contains(result.err, message)) << arguments << ": " << result.err;
   }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("offline_" + std::to_string(getpid()));
 };
 
 TEST_F(Offline, MapsABagAndTellsWhatCameOfIt) {

@@ -1,14 +1,13 @@
 // Clouds, queries, snapshots, saves, loads and resets at once, as the node's threads have them; under the thread sanitizer too.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <boost/make_shared.hpp>
-#include <filesystem>
 #include <functional>
 #include <thread>
 
+#include "../test_folder.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/ros/map_queries.h"
 #include "atom_mapping/ros/map_snapshot.h"
@@ -19,7 +18,6 @@
 namespace atom_mapping {
 namespace {
 
-namespace fs = std::filesystem;
 using atom_map::AtomMap;
 
 constexpr int kClouds = 24;
@@ -50,18 +48,14 @@ void repeatAtOnce(const std::vector<std::function<void()>>& acts, int least, con
   for (std::thread& thread : threads) thread.join();
 }
 
-class ServerConcurrency : public testing::Test {
+class ServerConcurrency : public FolderTest {
  protected:
   void SetUp() override {
-    fs::create_directories(folder_);
     for (int i = 0; i < kClouds; ++i) {
       transforms_.setTransform(drive_.transform(i), "test");
       clouds_.push_back(boost::make_shared<sensor_msgs::PointCloud2>(drive_.cloud(i)));
     }
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   MapFile::Request at(const std::string& name) const {
     MapFile::Request request;
@@ -86,7 +80,6 @@ class ServerConcurrency : public testing::Test {
     }
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("server_concurrency_" + std::to_string(getpid()));
   SimulatedDrive drive_ = makeCoarseDrive();
   std::vector<ScanWorker::CloudPtr> clouds_;
   tf2::BufferCore transforms_;
