@@ -3,9 +3,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "atom_mapping/base/cell_hash.h"
+#include "atom_mapping/base/cell_table.h"
 #include "atom_mapping/base/cells.h"
 
 namespace atom_map {
@@ -16,7 +15,7 @@ class CellSet {
  public:
   // Quickest where points fall into about as many blocks as expected.
   CellSet(float cell_size, std::size_t expected_blocks)
-      : cells_per_metre_(1.0F / cell_size), slots_(slotsFor(expected_blocks)) {}
+      : cells_per_metre_(1.0F / cell_size), table_(4.0F * cell_size, expected_blocks) {}
 
   // Adds the cells that hold the points. Calls visit(i, block) for each point i below `count` whose cell was not in the set yet,
   // with the number of its block, counted from 0 in the order of their first cells.
@@ -30,41 +29,23 @@ class CellSet {
   std::uint32_t blocks() const { return blocks_; }
 
  private:
-  struct Slot {
-    std::uint64_t key;
-    std::uint64_t cells = 0;  // 0: the slot is empty
-    std::uint32_t number;
+  struct Block {
+    std::uint64_t cells = 0;  // a bit each
+    std::uint32_t number = 0;
   };
 
   // The block's number; nothing if the cell was in the set already.
   std::optional<std::uint32_t> insert(const Cell& at) {
-    Slot& slot = slotOf(cellKey({at.x >> 2, at.y >> 2, at.z >> 2}));
+    Block& block = table_.at(Cell{at.x >> 2, at.y >> 2, at.z >> 2});
     const std::uint64_t cell = std::uint64_t{1} << ((at.x & 3) | (at.y & 3) << 2 | (at.z & 3) << 4);
-    if ((slot.cells & cell) != 0) return std::nullopt;
-    if (slot.cells == 0) slot.number = blocks_++;
-    slot.cells |= cell;
-    const std::uint32_t number = slot.number;
-    if (2 * blocks_ > slots_.size()) grow();
-    return number;
-  }
-
-  Slot& slotOf(std::uint64_t key) {
-    std::size_t i = firstSlot(key, slots_.size());
-    while (slots_[i].cells != 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    slots_[i].key = key;
-    return slots_[i];
-  }
-
-  void grow() {
-    std::vector<Slot> old(2 * slots_.size());
-    old.swap(slots_);
-    for (const Slot& slot : old) {
-      if (slot.cells != 0) slotOf(slot.key) = slot;
-    }
+    if ((block.cells & cell) != 0) return std::nullopt;
+    if (block.cells == 0) block.number = blocks_++;
+    block.cells |= cell;
+    return block.number;
   }
 
   float cells_per_metre_;
-  std::vector<Slot> slots_;
+  CellTable<Block> table_;
   std::uint32_t blocks_ = 0;
 };
 

@@ -18,7 +18,18 @@ class CellTable {
   CellTable(float cell_size, std::size_t expected_cells)
       : cells_per_metre_(1.0F / cell_size), slots_(slotsFor(expected_cells)) {}
 
-  // The value of the cell that holds the point, made from Value() at the first call. Valid until the next call.
+  // The value of the cell, or of the one that holds the point, made from Value() at the first call. Valid until the next call.
+  Value& at(const Cell& cell) {
+    const std::uint64_t key = cellKey(cell);
+    Slot* slot = &slotOf(key);
+    if (slot->key == key) return slot->value;
+    if (2 * ++size_ > slots_.size()) {
+      grow();
+      slot = &slotOf(key);
+    }
+    slot->key = key;
+    return slot->value;
+  }
   Value& at(const Eigen::Vector3f& point) { return at(cellOf(point, cells_per_metre_)); }
 
   // Calls visit(i, value) for each i below `count`, with the value of the cell that holds point_of(i).
@@ -41,18 +52,6 @@ class CellTable {
     std::uint64_t key = kEmpty;
     Value value{};
   };
-
-  Value& at(const Cell& cell) {
-    const std::uint64_t key = cellKey(cell);
-    Slot* slot = &slotOf(key);
-    if (slot->key == key) return slot->value;
-    if (2 * ++size_ > slots_.size()) {
-      grow();
-      slot = &slotOf(key);
-    }
-    slot->key = key;
-    return slot->value;
-  }
 
   // The one that holds the key, or the empty one where it belongs.
   Slot& slotOf(std::uint64_t key) {
