@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace atom_map {
 namespace {
@@ -24,14 +25,14 @@ constexpr std::size_t kLongestFault = 4096;  // bytes, which a pipe holds
 constexpr unsigned kPatience = 6;            // seconds by the clock for one of CPU time
 
 struct Pipe {
-  int out = -1;
-  int in = -1;
+  Descriptor out;
+  Descriptor in;
 };
 
 Pipe makePipe() {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  return {ends[0], ends[1]};
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
 void writeAll(int descriptor, const char* bytes, std::size_t size) {
@@ -88,29 +89,30 @@ std::size_t bytesMapped() {
 
 }  // namespace
 
-Apart::Apart(const std::function<void(const Send&)>& work, unsigned seconds) {
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+Apart::Apart(const std::function<void(const Send&)>& work, unsigned seconds, std::size_t memory) {
   // One at a time, lest one child keeps another's pipes open.
   static std::mutex forking;
   const std::lock_guard lock(forking);
-  const Pipe data = makePipe();
-  const Pipe fault = makePipe();
-  const std::size_t memory = bytesMapped() + kMemory;
+  Pipe data = makePipe();
+  Pipe fault = makePipe();
+  const std::size_t most = bytesMapped() + memory;
   child_ = ::fork();
-  if (child_ == 0) workApart(work, data.in, fault.in, seconds, memory);
-  const int error = errno;
-  ::close(data.in);
-  ::close(fault.in);
-  data_ = data.out;
-  fault_ = fault.out;
-  if (child_ > 0) return;
-  ::close(data_);
-  ::close(fault_);
-  throw std::system_error(error, std::generic_category(), "fork");
+  if (child_ == 0) workApart(work, data.in.number(), fault.in.number(), seconds, most);
+  if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  data_ = std::move(data.out);
+  fault_ = std::move(fault.out);
 }
 
 Apart::~Apart() {
-  ::close(data_);
-  ::close(fault_);
   if (child_ < 0) return;
   ::kill(child_, SIGKILL);
   while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
@@ -118,12 +120,12 @@ Apart::~Apart() {
 }
 
 void Apart::receive(void* bytes, std::size_t size) {
-  if (readAll(data_, static_cast<char*>(bytes), size) != size) throwWhy();
+  if (readAll(data_.number(), static_cast<char*>(bytes), size) != size) throwWhy();
 }
 
 void Apart::throwWhy() {
   std::string fault(kLongestFault, '\0');
-  fault.resize(readAll(fault_, fault.data(), fault.size()));
+  fault.resize(readAll(fault_.number(), fault.data(), fault.size()));
   int status = 0;
   while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }

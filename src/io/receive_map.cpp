@@ -15,13 +15,6 @@ namespace {
 using namespace map_file;
 using Receive = std::function<void(void*, std::size_t)>;
 
-template <class... Parts>
-[[noreturn]] void fail(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  throw std::runtime_error(text.str());
-}
-
 template <class Number>
 Number receiveNumber(const Receive& receive) {
   Number number{};
@@ -68,13 +61,21 @@ bool isPossible(const std::array<float, 2>& values, const MappingParameters& par
   return std::abs(values[0]) <= static_cast<float>(parameters.occupancy.max_log_odds);
 }
 
+// m, from the origin along each axis. Beyond, the index does not tell places apart.
+float farthest(const AtomMap& map) {
+  return 0x1p30F * map.radius();
+}
+
+bool isPlace(const Eigen::Vector3f& point, const AtomMap& map) {
+  return point.allFinite() && point.cwiseAbs().maxCoeff() <= farthest(map);
+}
+
 void addAtom(std::uint64_t row, const Eigen::Vector3f& center, const std::array<float, 2>& values,
              const MappingParameters& parameters, AtomMap& map) {
   const float rounding = 1e-6F * center.cwiseAbs().maxCoeff();  // of atoms that were moved
-  const float reach = (1.0F - 1e-5F) * AtomMap::kOverlapTolerance * 2.0F * map.radius() - rounding;
-  const float farthest = 0x1p30F * map.radius();  // beyond, the index does not tell places apart
-  if (!center.allFinite() || center.cwiseAbs().maxCoeff() > farthest) {
-    fail("centers[", row, "] is (", center.transpose(), "); it must be of numbers within ", farthest, " m");
+  const float reach = std::max(0.0F, (1.0F - 1e-5F) * AtomMap::kOverlapTolerance * 2.0F * map.radius() - rounding);
+  if (!isPlace(center, map)) {
+    fail("centers[", row, "] is (", center.transpose(), "); it must be of numbers within ", farthest(map), " m");
   }
   if (!isPossible(values, parameters)) {
     fail("atom ", row, " holds ", values[0], ", ", values[1], ", which mode ", nameOf(parameters.mode), " never gives");
@@ -115,10 +116,12 @@ void receiveAtoms(const MappingParameters& parameters, const Receive& receive, A
 
 void receivePlanes(const Receive& receive, AtomMap& map) {
   constexpr float kMostFits = 1e6F;
+  constexpr std::uint64_t kMostPlanes = 1'000'000;  // more than the returns of any scan tell of
   const auto count = receiveNumber<std::uint64_t>(receive);
+  if (count > kMostPlanes) fail("it tells of ", count, " known planes; it may of ", kMostPlanes);
   receiveRows(count, kPlaneWidth, receive, [&](std::uint64_t i, const std::vector<float>& row) {
     const KnownPlane plane{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6], row[7]};
-    const bool is_finite = plane.place.allFinite() && plane.normal.allFinite() && std::isfinite(plane.level);
+    const bool is_finite = isPlace(plane.place, map) && plane.normal.allFinite() && std::isfinite(plane.level);
     const bool is_plane = is_finite && std::abs(plane.normal.norm() - 1.0F) < 1e-3F;
     if (!is_plane || !(plane.fits >= 1.0F && plane.fits <= kMostFits)) fail("known_planes[", i, "] is no plane");
     map.planes().push_back(plane);

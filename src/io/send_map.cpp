@@ -14,13 +14,6 @@ namespace {
 using namespace map_file;
 using Send = std::function<void(const void*, std::size_t)>;
 
-template <class... Parts>
-[[noreturn]] void fail(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  throw std::runtime_error(text.str());
-}
-
 // For forEachParameter. What is not there keeps its value.
 struct ParameterReader {
   const H5::Group& group;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "atom_mapping/base/check_parameters.h"
 #include "atom_mapping/base/timed.h"
@@ -16,6 +17,18 @@ namespace {
 
 // Merged under one lock: some 0.1 ms, which is what a reader waits for.
 constexpr std::ptrdiff_t kMergeSlice = 512;
+
+// As if they had been mapped with this clamp.
+void clampLogOdds(float most, AtomTree& atoms) {
+  constexpr float kAll = std::numeric_limits<float>::max();
+  LeafSearch search;
+  atoms.forEachLeaf({Eigen::Vector3f::Constant(-kAll), Eigen::Vector3f::Constant(kAll)}, search,
+                    [&](AtomBlock& leaf, const Floats&, const Floats&) {
+                      for (std::uint32_t i = 0; i < leaf.size(); ++i) {
+                        leaf.setValue(i, 0, std::clamp(leaf.channel(3)[i], -most, most));
+                      }
+                    });
+}
 
 std::vector<Eigen::Vector3f> rotated(std::vector<Eigen::Vector3f> directions, const Eigen::Matrix3f& rotation) {
   for (Eigen::Vector3f& direction : directions) direction = rotation * direction;
@@ -48,7 +61,7 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
     return estimateSurface(filtered, pose, parameters_.radius, parameters_.scan, planes, report.normals);
   });
   parameters_.mode == Mode::kOccupancy  // lines 7 to 11
-      ? mergeOccupancy(surface, rotated(scan.no_returns, pose.linear()), pose.translation(), random, report)
+      ? mergeOccupancy(surface, scan.no_returns, pose, random, report)
       : mergeDistances(surface, pose.translation(), random, report);
   report.forgotten = timed(report.seconds.forget, [&] { return forget(sensor.translation()); });
 
@@ -64,14 +77,18 @@ ScanReport Mapper::insertScan(const LidarScan& scan, const Pose& sensor) {
 
 // Lines 8 to 11, with steps A and B.
 void Mapper::mergeOccupancy(const std::vector<SurfacePoint>& surface, const std::vector<Eigen::Vector3f>& no_returns,
-                            const Eigen::Vector3f& sensor, Random& random, ScanReport& report) {
+                            const Eigen::Isometry3f& sensor, Random& random, ScanReport& report) {
   Candidates candidates = timed(report.seconds.rays, [&] {
-    const std::vector<Eigen::Vector3f> none;
-    return traceRays(surface, parameters_.scan.clear_no_returns ? no_returns : none, sensor, parameters_, random);
+    std::vector<Eigen::Vector3f> cleared;
+    if (parameters_.scan.clear_no_returns) cleared = rotated(no_returns, sensor.linear());
+    return traceRays(surface, cleared, sensor.translation(), parameters_, random);
   });
   candidates = gridFiltered(std::move(candidates), report);
-  snapToLattice(candidates.occupied, map_.radius());
-  snapToLattice(candidates.free, map_.radius());
+  timed(report.seconds.candidate_filter, [&] {
+    snapToLattice(candidates.occupied, map_.radius());
+    snapToLattice(candidates.free, map_.radius());
+    return 0;
+  });
   OccupancyMerge merging(map_, parameters_.occupancy, refusedBeyond());
   merge(candidates.occupied, merging, report);
   merge(candidates.free, merging, report);
@@ -85,10 +102,11 @@ void Mapper::mergeDistances(const std::vector<SurfacePoint>& surface, const Eige
   candidates = gridFiltered(std::move(candidates), report);
   timed(report.seconds.candidate_filter, [&] {
     dropCrossing(surface, static_cast<float>(parameters_.scan.range_noise), candidates);
+    snapToLattice(candidates.behind, map_.radius());
+    snapToLattice(candidates.infront, map_.radius());
     return 0;
   });
-  snapToLattice(candidates.behind, map_.radius());
-  snapToLattice(candidates.infront, map_.radius());
+  report.candidates_kept = static_cast<std::uint32_t>(candidates.size());
   DistanceMerge merging(map_, parameters_.signed_distance, refusedBeyond());
   merge(candidates.behind, merging, report);
   merge(candidates.infront, merging, report);
@@ -128,6 +146,9 @@ void Mapper::replace(AtomMap map, std::uint64_t scans) {
 bool Mapper::adopt(AtomMap map, double radius, std::uint64_t scans) {
   assert(map.radius() == static_cast<float>(radius));
   const std::lock_guard scan_lock(scan_mutex_);
+  if (map.mode() == Mode::kOccupancy) {
+    clampLogOdds(static_cast<float>(parameters_.occupancy.max_log_odds), map.atoms());
+  }
   const bool adopted = write([&](AtomMap& mine) {
     const bool is_alike = map.mode() == parameters_.mode && radius == parameters_.radius;
     if (mine.atoms().size() > 0 && !is_alike) return false;

@@ -84,6 +84,7 @@ std::vector<Fault> faultsOfPlanes() {
   };
   return {
       {"a place of NaN", set_plane(1, kNan), "known_planes[3] is no plane"},
+      {"a place out of this world", set_plane(0, 1e38F), "known_planes[3] is no plane"},
       {"a normal of NaN", set_plane(3, kNan), "known_planes[3] is no plane"},
       {"a long normal", set_plane(4, 2.0F), "known_planes[3] is no plane"},
       {"a level at infinity", set_plane(6, 1.0F / 0.0F), "known_planes[3] is no plane"},
@@ -98,7 +99,7 @@ std::vector<Fault> faultsOfPlanes() {
          setCount(root(f), "known_planes", kMany);
          replaceSet(f, "known_planes", PredType::IEEE_F32LE, {kMany, 8}, {1000, 1});
        },
-       "known_planes[0] is no plane"},
+       "it tells of 1000000000000 known planes; it may of 1000000"},
       {"planes of seven numbers",
        [](auto& f) {
          replaceSet(f, "known_planes", PredType::IEEE_F32LE, {50, 7}, {50, 1});

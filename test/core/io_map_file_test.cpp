@@ -45,6 +45,33 @@ TEST_F(MapFile, BringsBackEveryBitOfTheMap) {
   }
 }
 
+// Where floats round the atoms' distances by more than they are.
+TEST_F(MapFile, BringsBackAMapFarFromItsOrigin) {
+  for (const double distance : {1e5, 1.2e6, 1e7}) {
+    const MappingParameters parameters = parametersOf(Mode::kOccupancy);
+    AtomMap map(parameters.mode, parameters.radius);
+    map.anchor(Eigen::Vector3d::Zero());
+    for (int i = 0; i < 100; ++i) {
+      const float value = 1.0F;
+      map.atoms().insert(map.toLocal(Eigen::Vector3d(distance, 0.5 * i, 0.0)), &value);
+    }
+    const std::vector<float> bytes = bytesOf(map);
+    saveMap(copyOf(parameters, std::move(map)), path("map.h5"));
+    EXPECT_EQ(bytesOf(loadMap(path("map.h5")).map), bytes) << distance;
+  }
+}
+
+// Or its file would hold values that its own clamp forbids.
+TEST_F(MapFile, AMapOfAGreaterClampIsClampedByWhoAdoptsIt) {
+  MappingParameters parameters = parametersOf(Mode::kOccupancy);
+  saveMap(copyOf(parameters, drawMap(parameters, 1000, 1)), path("theirs.h5"));
+  parameters.occupancy.max_log_odds = 1.5;
+  saveMap(copyOf(parameters, loadMap(path("theirs.h5")).map), path("ours.h5"));
+  const LoadedMap loaded = loadMap(path("ours.h5"));
+  EXPECT_GT(loaded.map.atoms().size(), 500U);
+  loaded.map.atoms().forEach([](ConstAtomRef atom) { EXPECT_LE(std::abs(atom.value()), 1.5F); });
+}
+
 TEST_F(MapFile, BringsBackEveryParameter) {
   MappingParameters parameters = parametersOf(Mode::kSignedDistance, 0.3);
   parameters.map_frame = "odom, \"the other\" \xc3\xa9";

@@ -5,8 +5,24 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace atom_map {
+
+// A file descriptor that is closed in the end.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept { *this = std::move(other); }
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor();
+
+  int number() const { return number_; }
+
+ private:
+  int number_ = -1;
+};
 
 // A child process, forked from this one, and what it sends. It may use what was not locked by another thread at that
 // moment: allocation is safe, a log is not. One thread at a time.
@@ -14,9 +30,9 @@ class Apart {
  public:
   using Send = std::function<void(const void* bytes, std::size_t size)>;
 
-  // Starts work(send), which may take `seconds` of CPU time, six times as long by the clock, and kMemory beyond what this
-  // process has.
-  Apart(const std::function<void(const Send&)>& work, unsigned seconds);
+  // Starts work(send), which may take `seconds` of CPU time, six times as long by the clock, and `memory` bytes beyond what
+  // this process has.
+  Apart(const std::function<void(const Send&)>& work, unsigned seconds, std::size_t memory);
   ~Apart();  // ends it, done or not
   Apart(const Apart&) = delete;
   Apart& operator=(const Apart&) = delete;
@@ -24,14 +40,12 @@ class Apart {
   // Waits for the next `size` bytes. Throws std::runtime_error where they never come: what work threw, or how it died.
   void receive(void* bytes, std::size_t size);
 
-  static constexpr std::size_t kMemory = std::size_t{2} << 30U;  // bytes
-
  private:
   [[noreturn]] void throwWhy();
 
   pid_t child_ = -1;
-  int data_ = -1;   // what it sends
-  int fault_ = -1;  // what it threw
+  Descriptor data_;   // what it sends
+  Descriptor fault_;  // what it threw
 };
 
 }  // namespace atom_map

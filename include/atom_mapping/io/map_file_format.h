@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,14 @@ constexpr const char* kParameters = "parameters";
 constexpr const char* kCenters = "centers";
 constexpr const char* kKnownPlanes = "known_planes";
 constexpr std::size_t kPlaneWidth = 8;  // floats of a known plane
+
+// What all faults of a file are thrown by.
+template <class... Parts>
+[[noreturn]] void fail(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  throw std::runtime_error(text.str());
+}
 
 // The datasets of an atom's values, in their order.
 inline std::vector<std::string> valueNames(Mode mode) {

@@ -22,8 +22,8 @@ class Mapper {
   // Throws std::invalid_argument that names every parameter out of its range.
   explicit Mapper(const MappingParameters& parameters);
 
-  // Merges one scan into the map (Algorithm 1). Never fails: returns that cannot be used are counted in the report. The limits
-  // hold afterwards; by what policy, the report tells.
+  // Merges one scan into the map (Algorithm 1). Returns that cannot be used are counted in the report. The limits hold
+  // afterwards; by what policy, the report tells. Throws std::bad_alloc alone, after which the map is good for reset() only.
   // `sensor`: sensor frame to map frame at the scan's stamp; must be finite.
   ScanReport insertScan(const LidarScan& scan, const Pose& sensor);
 
@@ -52,7 +52,8 @@ class Mapper {
   }
 
   // Takes another map, of this one's mode and radius, and goes on as if it had been made here of so many scans; waits for
-  // a scan that is being merged. A map beyond the limits is the caller's to fit (forgetFarthest) or to refuse.
+  // a scan that is being merged. A map beyond the limits is the caller's to fit (forgetFarthest) or to refuse; log-odds
+  // beyond occupancy/max_log_odds are clamped to it.
   void replace(AtomMap map, std::uint64_t scans);
 
   // The same with a map of any mode and of `radius` (m): where this one holds no atoms, it takes over both. Returns false,
@@ -70,7 +71,7 @@ class Mapper {
 
  private:
   void mergeOccupancy(const std::vector<SurfacePoint>& surface, const std::vector<Eigen::Vector3f>& no_returns,
-                      const Eigen::Vector3f& sensor, Random& random, ScanReport& report);
+                      const Eigen::Isometry3f& sensor, Random& random, ScanReport& report);
   void mergeDistances(const std::vector<SurfacePoint>& surface, const Eigen::Vector3f& sensor, Random& random,
                       ScanReport& report);
   template <class AnyCandidates>
