@@ -124,6 +124,26 @@ TEST(MapperEdge, ClearedRegionsAreUnknownAndCanBeMappedAgain) {
   EXPECT_EQ(ask(mapper, free), Occupancy::kFree);
 }
 
+// As a wrong transform has it. Floats tell places there apart by some decimetres only: the map is of no use, but sound.
+TEST(MapperEdge, BearsASensorThatJumpsToTheEndOfTheWorld) {
+  for (const double radius : {0.05, 0.25}) {
+    for (const Mode mode : {Mode::kOccupancy, Mode::kSignedDistance}) {
+      MappingParameters parameters = makeParameters();
+      parameters.radius = radius;
+      parameters.mode = mode;
+      parameters.scan.clear_no_returns = true;
+      Mapper mapper(parameters);
+      mapper.insertScan(scanRoom(), Pose::Identity());
+      for (const double jump : {1e5, 5e6, 9e6, 9e7}) {
+        Pose pose = Pose::Identity();
+        pose.translation() = Vector3d(jump, -0.3 * jump, 2.0);
+        mapper.insertScan(scanRoom(), pose);
+      }
+      EXPECT_EQ(ask(mapper, {3.0, 0.0, 0.0}), Occupancy::kFree);
+    }
+  }
+}
+
 TEST(MapperEdge, EveryParameterOutOfItsRangeIsNamedAtOnce) {
   MappingParameters parameters;
   parameters.radius = -1.0;

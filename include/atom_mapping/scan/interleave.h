@@ -57,6 +57,7 @@ class Interleaver {
   template <class Visit>
   void keepAlong(float distance, std::uint32_t count, float angular_resolution, Visit&& visit) {
     if (count == 0) return;
+    count = std::min(count, diameters_ + 1);
     findChances(distance, count, 1.0F / angular_resolution);
     kept_.resize(std::max<std::size_t>(kept_.size(), count + 1));
     // Without branches: which candidates stay is hard to foretell.
@@ -76,10 +77,11 @@ class Interleaver {
   static constexpr std::uint32_t kOne = 1U << 30U;  // a chance of 1: numbers of a fixed point add up in one step
 
   // Of candidates that far from the sensor: it and all that lie whole diameters nearer follow one another, down to the sensor.
+  // Beyond the greatest distance, as floats round it thousands of kilometres from the map's origin, as there.
   const float* touchingAngles(float distance) const {
+    assert(distance >= 0.0F);
     const auto step = static_cast<std::uint32_t>(distance * steps_per_metre_);
-    const std::uint32_t diameters = step / kStepsPerDiameter;
-    assert(distance >= 0.0F && diameters < diameters_);
+    const std::uint32_t diameters = std::min(step / kStepsPerDiameter, diameters_ - 1);
     return touching_angles_.data() + step % kStepsPerDiameter * (diameters_ + 1) + (diameters_ - 1 - diameters);
   }
 
