@@ -49,9 +49,11 @@ void gather(const RangeImage& image, const std::vector<Eigen::Vector3f>& points,
     neighbors.index[r].fill(-1);
     const RangeImage::Return* const ring = image.row(middle.row + (r - kRingsBeside) * steps.row);
     if (ring == nullptr) continue;
+    std::int32_t last = -1;  // empty columns share a return with the one beside them
     for (int c = 0; c < Neighborhood::kColumns; ++c) {
       const std::int32_t found = returnNear(image, ring, columns[c]);
-      if (found < 0 || found == static_cast<std::int32_t>(ray)) continue;
+      if (found < 0 || found == last || found == static_cast<std::int32_t>(ray)) continue;
+      last = found;
       const Eigen::Vector3f& neighbor = points[static_cast<std::size_t>(found)];
       neighbors.x[size] = neighbor.x() - point.x();
       neighbors.y[size] = neighbor.y() - point.y();

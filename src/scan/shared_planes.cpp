@@ -77,8 +77,9 @@ int Patches::join(const Patch& patch, const Eigen::Vector3f& point, float tolera
     plane.fits = std::min(plane.fits + 1, kMostFits);
     plane.is_seen = true;
     const float share = 1.0F / static_cast<float>(plane.fits);
-    plane.normal = (plane.normal + share * (patch.normal - plane.normal)).normalized();
-    plane.level += share * (patch.level - plane.level);
+    const Eigen::Vector3f mean = plane.normal + share * (patch.normal - plane.normal);
+    plane.level = (plane.level + share * (patch.level - plane.level)) / mean.norm();
+    plane.normal = mean.normalized();
     set(i, plane);
     return plane.fits;
   }

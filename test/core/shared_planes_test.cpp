@@ -88,6 +88,21 @@ TEST(Patches, OfMoreThanACellHoldsTheLatestAreDropped) {
   for (std::uint32_t i = 0; i < patches.size(); ++i) EXPECT_EQ(patches[i].level, static_cast<float>(i));
 }
 
+// However far from the origin of the frame: two planes through a place, a degree or two apart.
+TEST(Patches, AJoinedPlaneGoesThroughThePlaceOfBoth) {
+  for (const float far : {0.0F, 100.0F, 1000.0F, 5000.0F}) {
+    const Vector3f place(-far, 0.3F, 0.2F);
+    Patches patches;
+    for (const float turn : {-0.01F, 0.01F}) {
+      const Vector3f normal = wall(turn).normal;
+      patches.join({normal, normal.dot(place)}, place, kTolerance);
+    }
+    ASSERT_EQ(patches.size(), 1U) << far;
+    EXPECT_EQ(patches[0].fits, 2);
+    EXPECT_LT(patches[0].distanceTo(place), 1e-3F + 1e-6F * far) << far;
+  }
+}
+
 TEST(SharedPlanes, AReturnOfTheSameCellSharesOneThatItLiesOn) {
   SharedPlanes planes = seenFromOrigin();
   EXPECT_FALSE(planes.normalAt(onWall(0.1F, 0.1F)));
