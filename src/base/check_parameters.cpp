@@ -15,8 +15,8 @@ struct FaultFinder {
   void operator()(const char* name, Number value, const Range& range) const {
     if (range.contains(static_cast<double>(value))) return;
     std::ostringstream fault;
-    fault << name << " is " << value << "; it must lie between " << range.low << (range.open ? " (excluded)" : "")
-          << " and " << range.high;
+    fault << name << " is " << value << "; it must " << (range.or_zero ? "be 0 or " : "") << "lie between " << range.low
+          << (range.open ? " (excluded)" : "") << " and " << range.high;
     faults.push_back(fault.str());
   }
 

@@ -36,9 +36,8 @@ std::string describe(const ParameterValue& value) {
 }
 
 std::string describe(const Range& range) {
-  constexpr double kAny = std::numeric_limits<double>::max();
-  const std::string low = range.open ? join("more than ", range.low) : join("at least ", range.low);
-  return range.high < kAny ? join(low, " and at most ", range.high) : low;
+  return join(range.or_zero ? "0, or " : "", range.open ? "more than " : "at least ", range.low, " and at most ",
+              range.high);
 }
 
 // Fills the fields that forEachParameter shows it, and remembers what is wrong with their values.
