@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 namespace atom_map {
 namespace {
+
+constexpr double kFarthest = 1e6;  // m, from the first atom
 
 struct Property {
   std::string name;
@@ -93,6 +96,10 @@ ExportedAtoms readStream(std::istream& in) {
     if (!in) throw std::runtime_error("it ends before its last vertex");
     const Eigen::Vector3d center(row[columns[0]], row[columns[1]], row[columns[2]]);
     if (i == 0) atoms.origin = center.array().floor();
+    if (!((center - atoms.origin).cwiseAbs().maxCoeff() <= kFarthest) || !std::isfinite(row[columns[3]])) {
+      throw std::runtime_error("vertex " + std::to_string(i) +
+                               " is no atom: not of finite numbers, or over 1000 km off");
+    }
     atoms.centers.emplace_back((center - atoms.origin).cast<float>());
     atoms.log_odds.push_back(static_cast<float>(row[columns[3]]));
   }

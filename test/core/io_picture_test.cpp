@@ -41,6 +41,12 @@ TEST(FindCeiling, aRoofOverASmallPartIsNone) {
   EXPECT_FALSE(atom_map::findCeiling(joined(level(0.0F, 10.0F), level(4.0F, 3.0F)), kRadius).has_value());
 }
 
+TEST(FindCeiling, aMapFarTallerThanWideTakesNoTime) {
+  std::vector<Eigen::Vector3f> centers = level(0.0F, 10.0F);
+  centers.emplace_back(0.0F, 0.0F, 1e6F);
+  EXPECT_FALSE(atom_map::findCeiling(centers, kRadius).has_value());
+}
+
 TEST(LightAtoms, openGroundIsLit) {
   const auto centers = level(0.0F, 5.0F);
   for (const float light : atom_map::lightAtoms(centers, kRadius, kZenith)) EXPECT_GT(light, 0.8F);
@@ -62,6 +68,7 @@ TEST(LightAtoms, bearsOneAtomAndFarOnes) {
   EXPECT_EQ(atom_map::lightAtoms({Eigen::Vector3f::Zero()}, kRadius, kZenith).size(), 1U);
   EXPECT_EQ(atom_map::lightAtoms({Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(5e4F)}, kRadius, kZenith).size(),
             2U);
+  EXPECT_EQ(atom_map::lightAtoms({Eigen::Vector3f::Zero(), {1e6F, 0.0F, 0.0F}}, 1e-3F, kZenith).size(), 2U);
 }
 
 }  // namespace

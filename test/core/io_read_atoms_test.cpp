@@ -2,7 +2,9 @@
 
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "atom_mapping/io/read_atoms.h"
 
@@ -80,6 +82,19 @@ TEST_F(ReadAtoms, saysWhatIsWrong) {
         replaced(header, "vertex 2", "vertex 4000000000") + rows,
         replaced(header, "ascii", "binary_big_endian") + rows}) {
     EXPECT_THROW(readAtoms(write(content)), std::runtime_error) << content;
+  }
+}
+
+TEST_F(ReadAtoms, refusesWhatIsNoAtom) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string header = replaced(kHeader, "ascii", "binary_little_endian");
+  for (const auto& [place, value] :
+       {std::pair(4, nan), std::pair(5, 1.0F / 0.0F), std::pair(6, 1e9F), std::pair(7, nan)}) {
+    float rows[] = {1, 2, 3, 0.5F, 4, 5, 6, -0.5F};
+    rows[place] = value;
+    EXPECT_THROW(readAtoms(write(header + std::string(reinterpret_cast<const char*>(rows), sizeof rows))),
+                 std::runtime_error)
+        << place;
   }
 }
 

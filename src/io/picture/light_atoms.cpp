@@ -20,7 +20,8 @@ class CellGrid {
   CellGrid(const std::vector<Eigen::Vector3f>& centers, float side) {
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& center : centers) box.extend(center);
-    side_ = std::max(side, std::cbrt(box.volume() / kMostCells));
+    side_ = side;
+    while (((box.sizes() / side_).array() + 3.0F).prod() > kMostCells) side_ *= 1.1F;
     low_ = box.min() - Eigen::Vector3f::Constant(side_);
     size_ = (box.sizes() / side_).array().cast<long>() + 3;
     filled_.resize(static_cast<std::size_t>(size_.prod()));
