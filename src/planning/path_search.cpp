@@ -18,6 +18,10 @@ float surfaceReach(const PathPreference& preference, float radius) {
   return preference.surface_weight > 0.0F ? preference.surface_distance + kSurfaceReach * radius : 0.0F;
 }
 
+Waypoint makeWaypoint(const Eigen::Vector3f& point, float reach, Clearance& clearance) {
+  return {point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F};
+}
+
 double wayCost(const Waypoint& a, const Waypoint& b, const PathPreference& preference) {
   const double length = (b.position - a.position).cast<double>().norm();
   const auto deviation = [&](const Waypoint& at) {

@@ -18,6 +18,7 @@ constexpr std::chrono::milliseconds kSlice{1};               // of reading the m
 constexpr std::array<float, 3> kMargins{0.75F, 0.4F, 0.0F};  // atomic radii, one tried after the other
 constexpr double kDetour = 1.05;                             // what a margin may cost, over the cheapest path without
 constexpr float kRounding = 1e-3F;                           // atomic radii, of a safe way's parts
+constexpr float kBetween = 0.5F;  // atomic radii, from where distances were asked to a way's end
 
 // What is fixed while one path is planned.
 struct PathTask {
@@ -32,11 +33,6 @@ struct PathTask {
   // An empty map may have taken over another's kind.
   bool isOf(const AtomMap& map) const { return map.origin() == origin && map.mode() == mode && map.radius() == radius; }
 };
-
-// A path's end as the search takes it.
-Waypoint waypoint(Clearance& clearance, const Eigen::Vector3f& point, float reach) {
-  return {point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F};
-}
 
 // Whether both ends will do; says in the answer why not.
 bool examineEnds(const AtomMap& map, const PathRequest& request, const PathTask& task, PlannedPath& answer) {
@@ -55,8 +51,8 @@ bool examineEnds(const AtomMap& map, const PathRequest& request, const PathTask&
 PathSearch beginSearch(const AtomMap& map, const PathTask& task) {
   Clearance clearance(map, task.rules);
   const float reach = surfaceReach(task.preference, map.radius());
-  return {waypoint(clearance, task.rules.start, reach),
-          waypoint(clearance, task.rules.goal, reach),
+  return {makeWaypoint(task.rules.start, reach, clearance),
+          makeWaypoint(task.rules.goal, reach, clearance),
           map.radius(),
           task.preference,
           task.rules,
@@ -82,11 +78,13 @@ bool stillHolds(const PlannedPath& path, const PathTask& task) {
   task.read([&](const AtomMap& map) {
     SafetyRules rules = task.rules;
     rules.robot_radius -= kRounding * map.radius();
-    const Clearance clearance(map, rules);
+    const float least = rules.robot_radius - kBetween * map.radius();  // m, to surfaces
+    Clearance clearance(map, rules);
     for (std::size_t i = 1; holds && i < path.points.size(); ++i) {
       const Eigen::Vector3f from = map.toLocal(path.points[i - 1]);
       const Eigen::Vector3f to = map.toLocal(path.points[i]);
-      holds = clearance.isKnown(from, to) && clearance.isClear(from, to);
+      holds = clearance.isKnown(from, to) && clearance.isClear(from, to) &&
+              clearance.surfaceDistance(to, rules.robot_radius) >= least;
     }
   });
   return holds;

@@ -13,10 +13,6 @@ constexpr int kPasses = 4;
 constexpr int kSweeps = 20;
 constexpr double kGain = 1e-4;  // of a cost; less is not worth the points
 
-Waypoint waypoint(const Vector3f& point, float reach, Clearance& clearance) {
-  return {point, reach > 0.0F ? clearance.surfaceDistance(point, reach) : 0.0F};
-}
-
 // The straight way from a to b as points two radii apart or nearer, without a itself.
 std::vector<Waypoint> straight(const Waypoint& a, const Waypoint& b, const AtomMap& map, Clearance& clearance,
                                const PathPreference& preference) {
@@ -25,7 +21,7 @@ std::vector<Waypoint> straight(const Waypoint& a, const Waypoint& b, const AtomM
   const float parts = std::max(1.0F, std::ceil(way.norm() / (2.0F * map.radius())));
   std::vector<Waypoint> points;
   for (float i = 1.0F; i < parts; i += 1.0F) {
-    points.push_back(waypoint(a.position + i / parts * way, reach, clearance));
+    points.push_back(makeWaypoint(a.position + i / parts * way, reach, clearance));
   }
   points.push_back(b);
   return points;
@@ -103,7 +99,7 @@ bool Shortcut::tighten(const AtomMap& map, std::size_t i) {
   const Vector3f way = 0.5F * (before.position + after.position) - path_[i].position;
   for (const float share : {1.0F, 0.5F, 0.25F}) {
     const float reach = surfaceReach(preference_, map.radius());
-    const Waypoint moved = waypoint(path_[i].position + share * way, reach, clearance);
+    const Waypoint moved = makeWaypoint(path_[i].position + share * way, reach, clearance);
     const double cost = wayCost(before, moved, preference_) + wayCost(moved, after, preference_);
     if (cost > (1.0 - kGain) * old_cost || !isSafeWay(before, {moved, after}, clearance)) continue;
     path_[i] = moved;

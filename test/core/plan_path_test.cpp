@@ -172,5 +172,36 @@ TEST(PlanPath, PlansAnewWhereTheMapChanged) {
   EXPECT_EQ(path.outcome, PathOutcome::kNoConnection);
 }
 
+// Surfaces that the regression tells of come nearer while the path is planned; atoms stay free.
+TEST(PlanPath, PlansAnewWhereDistancesChanged) {
+  const auto make = [](float distance) {
+    AtomMap map(Mode::kSignedDistance, kRadius);
+    for (int x = -6; x <= 6; ++x) {
+      for (int y = -4; y <= 4; ++y) {
+        const float values[] = {std::abs(x) > 2 ? 2.0F : distance, 1e-4F};
+        for (int z = -4; z <= 4; ++z) map.atoms().insert(0.5F * Eigen::Vector3f(x, y, z), values);
+      }
+    }
+    return map;
+  };
+  AtomMap map = make(2.0F);
+  ASSERT_EQ(plan(map, throughTheGate(0.5F)).outcome, PathOutcome::kFound);
+  ASSERT_EQ(plan(make(0.1F), throughTheGate(0.5F)).outcome, PathOutcome::kNoConnection);
+  PlannedPath last;
+  for (int changed = 1; changed < 200; ++changed) {  // after each of the reads of which planning is made
+    map = make(2.0F);
+    int reads = 0;
+    const ReadMap read = [&](const std::function<void(const AtomMap&)>& use) {
+      use(map);
+      if (++reads == changed) map = make(0.1F);
+    };
+    last = planPath(read, throughTheGate(0.5F), GaussianProcessParameters());
+    if (reads < changed || (reads == changed && last.outcome == PathOutcome::kFound))
+      return;  // it had been looked through
+    ASSERT_EQ(last.outcome, PathOutcome::kNoConnection) << "changed after read " << changed;
+  }
+  FAIL() << "never done";
+}
+
 }  // namespace
 }  // namespace atom_map

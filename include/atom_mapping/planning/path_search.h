@@ -26,6 +26,9 @@ struct Waypoint {
   float surface_distance;  // as far as the search looked
 };
 
+// The point, and how far from surfaces it lies if that is asked for up to `reach` (m) > 0.
+Waypoint makeWaypoint(const Eigen::Vector3f& point, float reach, Clearance& clearance);
+
 // How far (m) the cost looks for surfaces.
 // Choice: from 16 radii beyond q on all distances cost the same, or a look around in an open space would see all of it.
 float surfaceReach(const PathPreference& preference, float radius);

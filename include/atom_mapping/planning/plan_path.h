@@ -43,8 +43,9 @@ PathOutcome examine(const AtomMap& map, const Eigen::Vector3d& point, float robo
 
 // Plans a path that is safe as clearance.h has it. Takes a millisecond or two over the timeout at most.
 //
-// Choice: the map is read for some milliseconds at a time, and the whole path looked through at the end; where the map
-// has changed so that it does not hold, it is planned anew. A copy of the map would cost more than most searches do.
+// Choice: the map is read for some milliseconds at a time, and the whole path looked through at the end, for occupied atoms,
+// unknown space and, at its points, for distances to surfaces; where the map has changed so that it does not hold, it is
+// planned anew. A copy of the map would cost more than most searches do.
 // Choice: a margin of 0.75 radii first; 0.4 where that finds no connection, or a path that costs over 1.05 times as
 // much; and none where there is no connection otherwise. A passage that only just holds the robot is worth a small way
 // round, and no large one.
