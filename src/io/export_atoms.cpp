@@ -82,9 +82,4 @@ void exportAtoms(const AtomMap& map, const std::string& file) {
   });
 }
 
-void checkExportFile(const std::string& file) {
-  extensionOf(file);
-  checkWritable(file);
-}
-
 }  // namespace atom_map

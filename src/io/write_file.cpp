@@ -34,18 +34,23 @@ void writeFile(const std::string& file, const std::function<void(std::ostream&)>
   const std::string part = file + ".part";
   errno = 0;
   std::ofstream out(part, std::ios::binary);
-  if (out) write(out);
-  out.close();
-  const int written = out ? sync(part) : errno;
-  if (!out || written != 0) {
+  try {
+    if (out) write(out);
+    out.close();
+    const int written = out ? sync(part) : errno;
+    if (!out || written != 0) fail(file, written);
+  } catch (...) {
     std::error_code ignored;
     fs::remove(part, ignored);
-    fail(file, written);
+    throw;
   }
   std::error_code error;
   fs::rename(part, file, error);
   if (error) fail(file, error.value());
-  if (const int renamed = sync(fs::absolute(file).parent_path()); renamed != 0) fail(file, renamed);
+  const int renamed = sync(fs::absolute(file).parent_path());
+  const bool takes_no_sync =
+      renamed == EACCES || renamed == EINVAL;  // a folder that may not be read, some network's disks
+  if (renamed != 0 && !takes_no_sync) fail(file, renamed);
 }
 
 void checkWritable(const std::string& file) {

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "atom_mapping/base/cell_set.h"
 #include "atom_mapping/map/merge.h"
 #include "atom_mapping/map/overlap.h"
 
@@ -12,7 +13,7 @@ DistanceMerge::DistanceMerge(AtomMap& map, const SignedDistanceParameters& param
     : atoms_(map.atoms()),
       limit_(limit),
       diameter_(2.0F * map.radius()),
-      vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, kBlock * diameter_),
+      vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, CellSet::kBlock * diameter_),
       xi_(static_cast<float>(parameters.xi)) {
   assert(map.mode() == Mode::kSignedDistance);
 }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "atom_mapping/base/cell_set.h"
 #include "atom_mapping/map/overlap.h"
 #include "atom_mapping/scan/snap.h"
 
@@ -14,7 +15,7 @@ OccupancyMerge::OccupancyMerge(AtomMap& map, const OccupancyParameters& paramete
       limit_(limit),
       diameter_(2.0F * map.radius()),
       lattice_(latticeSpacing(map.radius())),
-      vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, kBlock * diameter_),
+      vicinity_(map.atoms(), AtomMap::kOverlapTolerance * diameter_, CellSet::kBlock * diameter_),
       max_log_odds_(static_cast<float>(parameters.max_log_odds)) {
   assert(map.mode() == Mode::kOccupancy);
 }

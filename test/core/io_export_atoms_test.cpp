@@ -195,7 +195,6 @@ TEST_F(ExportAtoms, AnUnknownExtensionIsRefusedWithTheRemedy) {
   const std::string remedy = "name a file that ends in .ply, .pcd or .csv";
   for (const char* name : {"map.obj", "map", ".ply", "map.ply.gz"}) {
     EXPECT_NE(messageOf<std::invalid_argument>(map_, path(name)).find(remedy), std::string::npos) << name;
-    EXPECT_THROW(checkExportFile(path(name)), std::invalid_argument);
   }
   EXPECT_TRUE(fs::is_empty(folder_));
 }
@@ -206,8 +205,6 @@ TEST_F(ExportAtoms, AFileThatCannotBeWrittenIsNamedWithTheReason) {
   fs::create_directory(path("folder.ply"));
   EXPECT_EQ(messageOf<std::runtime_error>(map_, path("folder.ply")),
             "cannot write " + path("folder.ply") + ": Is a directory");
-  EXPECT_THROW(checkExportFile(path("none/map.ply")), std::runtime_error);
-  EXPECT_NO_THROW(checkExportFile(path("map.ply")));
   EXPECT_FALSE(fs::exists(path("map.ply")));
 }
 

@@ -13,9 +13,11 @@ namespace atom_map {
 // another along a ray meet the same few blocks again and again, which stay in the processor's cache.
 class CellSet {
  public:
+  static constexpr int kBlock = 4;  // cells on the side of a block
+
   // Quickest where points fall into about as many blocks as expected.
   CellSet(float cell_size, std::size_t expected_blocks)
-      : cells_per_metre_(1.0F / cell_size), table_(4.0F * cell_size, expected_blocks) {}
+      : cells_per_metre_(1.0F / cell_size), table_(static_cast<float>(kBlock) * cell_size, expected_blocks) {}
 
   // Adds the cells that hold the points. Calls visit(i, block) for each point i below `count` whose cell was not in the set yet,
   // with the number of its block, counted from 0 in the order of their first cells.

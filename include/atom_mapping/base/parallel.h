@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace atom_map {
 
 // Cuts [0, count) into ranges and calls work(begin, end) for each once, from up to `threads` threads at a time, each of
-// which calls make_worker() for a worker of its own. Returns when all is done. Workers must not throw.
+// which calls make_worker() for a worker of its own; fewer where the system has no more. Returns when all is done. Workers must
+// not throw.
 template <class MakeWorker>
 void parallelFor(std::size_t count, unsigned threads, const MakeWorker& make_worker) {
   constexpr std::size_t kRange = 256;  // some milliseconds of regression
@@ -22,7 +24,10 @@ void parallelFor(std::size_t count, unsigned threads, const MakeWorker& make_wor
   };
   const std::size_t useful = std::min<std::size_t>(threads, (count + kRange - 1) / kRange);
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < useful; ++i) others.emplace_back(run);
+  try {
+    for (std::size_t i = 1; i < useful; ++i) others.emplace_back(run);
+  } catch (const std::system_error&) {  // those that there are do it all
+  }
   run();
   for (std::thread& other : others) other.join();
 }

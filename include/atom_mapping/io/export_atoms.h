@@ -16,8 +16,4 @@ namespace atom_map {
 // extension, std::runtime_error with file and reason when it cannot be written.
 void exportAtoms(const AtomMap& map, const std::string& file);
 
-// Throws what exportAtoms would if the extension is unknown or the folder is not there or takes no files: to be asked
-// before hours of mapping.
-void checkExportFile(const std::string& file);
-
 }  // namespace atom_map

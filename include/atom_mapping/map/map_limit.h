@@ -14,8 +14,8 @@ struct MapLimit {
 
   bool holds(const AtomTree& tree) const { return tree.size() <= atoms && tree.bytes() <= bytes; }
   // Whether it still holds after an insertion, whichever.
-  // Choice: of bytes that is asked for the worst insertion, at which an array of nodes doubles. So a map may be full some
-  // percent early, and its bytes never pass the limit.
+  // Choice: of bytes that is asked for the worst insertion, at which the arrays of nodes grow. So a map may be full some
+  // kilobytes early, and its bytes never pass the limit.
   bool hasRoom(const AtomTree& tree) const { return tree.size() < atoms && tree.bytesAfterInsert() <= bytes; }
 };
 

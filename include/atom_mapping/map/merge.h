@@ -15,9 +15,6 @@
 
 namespace atom_map {
 
-// Candidates come block by block, of so many diameters: those of the candidate filter.
-constexpr float kBlock = 4.0F;
-
 struct MergeReport {
   std::uint32_t inserted = 0;  // candidates that became atoms
   std::uint32_t refused = 0;   // candidates that would have, had the map not been full

@@ -9,7 +9,7 @@
 namespace atom_map {
 
 // The map's atoms in another frame, each with what it stores: nothing is sampled anew, so that there and back is the same map
-// but for the rounding of floats. `pose`: the map's frame to the other.
+// but for the rounding of floats. `pose`: the map's frame to the other, a rotation and a translation.
 AtomMap transformed(const AtomMap& map, const Pose& pose);
 
 // Merges another map's atoms as if they were the candidates of one scan (paper III-E): those behind surfaces first, each with

@@ -20,7 +20,7 @@ struct Estimate {
 // its memory from query to query.
 class GaussianProcess {
  public:
-  // The map must outlive this.
+  // The map must outlive this; `parameters` must be in their ranges.
   GaussianProcess(const AtomMap& map, const GaussianProcessParameters& parameters);
 
   static constexpr float kKnownReach = 2.0F;  // radii

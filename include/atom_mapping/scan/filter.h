@@ -25,7 +25,7 @@ struct FilteredScan {
   FilterReport report;
 };
 
-// Drops invalid returns and those out of range (paper V-B), then keeps one of each cubic cell of scan/thinning radii.
+// Drops invalid returns and traces none out of range (paper V-B); of the others one of each cubic cell of scan/thinning radii.
 // Choice: which one is drawn, so that a robot at rest does not trace the same rays over and over.
 FilteredScan filterScan(const LidarScan& scan, double radius, const ScanParameters& parameters, Random& random);
 

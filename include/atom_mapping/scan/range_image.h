@@ -24,7 +24,7 @@ class RangeImage {
     std::int32_t index = -1;  // of the point; -1 where the pixel is empty
   };
 
-  // `points` in the sensor frame, none at its origin; resolutions in radians, those of the sensor.
+  // `points` in the sensor frame, finite and none at its origin; resolutions in radians, those of the sensor.
   RangeImage(const std::vector<Eigen::Vector3f>& points, double horizontal_resolution, double vertical_resolution);
 
   int columns() const { return columns_; }
