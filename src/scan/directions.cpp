@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "atom_mapping/base/fast_atan2.h"
+#include "atom_mapping/base/point_blocks.h"
 
 namespace atom_map {
 namespace {
 
-// Points are taken in blocks, coordinate by coordinate, which a compiler makes run four at once.
-constexpr std::size_t kBlock = 256;
-using Block = std::array<float, kBlock>;
+using Block = PointBlock<float>;
 
 struct Angles {
   Block elevation;
@@ -21,7 +20,7 @@ struct Angles {
 
 Angles anglesOf(const Block& x, const Block& y, const Block& z) {
   Angles angles;
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  for (std::size_t i = 0; i < kPointBlock; ++i) {
     const float squared = x[i] * x[i] + y[i] * y[i];
     angles.elevation[i] = fastAtan2(z[i], std::sqrt(squared));
     angles.azimuth[i] = fastAtan2(y[i], x[i]);
@@ -35,21 +34,14 @@ Angles anglesOf(const Block& x, const Block& y, const Block& z) {
 Directions directionsOf(const std::vector<Eigen::Vector3f>& points) {
   Directions directions;
   for (auto* of : {&directions.elevation, &directions.azimuth, &directions.range}) of->resize(points.size());
-  Block x{};
-  Block y{};
-  Block z{};
-  for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
-    const std::size_t count = std::min(kBlock, points.size() - begin);
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = points[begin + i].x();
-      y[i] = points[begin + i].y();
-      z[i] = points[begin + i].z();
-    }
-    const Angles angles = anglesOf(x, y, z);
-    std::copy_n(angles.elevation.data(), count, directions.elevation.data() + begin);
-    std::copy_n(angles.azimuth.data(), count, directions.azimuth.data() + begin);
-    std::copy_n(angles.range.data(), count, directions.range.data() + begin);
-  }
+  forEachPointBlock(
+      points.size(), [&](std::size_t i) -> const Eigen::Vector3f& { return points[i]; },
+      [&](std::size_t begin, std::size_t count, const std::array<Block, 3>& coordinates) {
+        const Angles angles = anglesOf(coordinates[0], coordinates[1], coordinates[2]);
+        std::copy_n(angles.elevation.data(), count, directions.elevation.data() + begin);
+        std::copy_n(angles.azimuth.data(), count, directions.azimuth.data() + begin);
+        std::copy_n(angles.range.data(), count, directions.range.data() + begin);
+      });
   return directions;
 }
 
