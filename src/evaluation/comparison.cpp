@@ -22,7 +22,11 @@ void add(const ScanReport::Seconds& more, ScanReport::Seconds& sum) {
 }  // namespace
 
 Comparison::Comparison(std::vector<ComparedMap> maps, std::size_t turn) : turn_(turn) {
-  for (ComparedMap& map : maps) entries_.push_back({std::move(map), {}, {}, std::make_unique<OwnThread>()});
+  for (ComparedMap& map : maps) {
+    Entry& entry = entries_.emplace_back();
+    entry.map = std::move(map);
+    entry.thread = std::make_unique<OwnThread>();
+  }
 }
 
 void Comparison::insertScan(const LidarScan& scan, const Pose& sensor) {

@@ -44,7 +44,7 @@ TEST_P(PointBoxesOf, FindWhatEveryPointAskedFinds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PointBoxesOf, testing::ValuesIn(distributions()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 TEST(PointBoxes, APointLiesNotNearerThanItsDistance) {
   const PointBoxes boxes(surfaceOf({{1.0F, 0.0F, 0.0F}}));
