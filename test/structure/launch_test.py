@@ -2,6 +2,9 @@
 """Every launch file parses, with each of its options too, and starts only programs that exist; every YAML loads."""
 import os
 import pathlib
+import shlex
+import subprocess
+import tempfile
 import unittest
 import xml.etree.ElementTree
 
@@ -21,11 +24,19 @@ def argumentsOf(launch_file):
     return {element.get('name'): element.get('default') for element in elements if element.get('default') is not None}
 
 
-def nodesOf(launch_file, **arguments):
+def configOf(launch_file, **arguments):
     given = [f'{name}:={value}' for name, value in arguments.items()]
     config = roslaunch.config.load_config_default([(str(launch_file), given)], port=11311, verbose=False)
     assert not config.config_errors, config.config_errors
-    return {node.name: node for node in config.nodes}
+    return config
+
+
+def nodesOf(launch_file, **arguments):
+    return {node.name: node for node in configOf(launch_file, **arguments).nodes}
+
+
+def parametersOf(launch_file, **arguments):
+    return {name: parameter.value for name, parameter in configOf(launch_file, **arguments).params.items()}
 
 
 class LaunchTest(unittest.TestCase):
@@ -55,15 +66,55 @@ class LaunchTest(unittest.TestCase):
         self.assertIn('--clock', played[0].args)
 
     def testARelativeMapStartsWhereRoslaunchWasCalled(self):
-        def loaded(**arguments):
-            given = [f'{name}:={value}' for name, value in arguments.items()]
-            launch_file = str(ROOT / 'launch/atom_mapping.launch')
-            config = roslaunch.config.load_config_default([(launch_file, given)], port=11311, verbose=False)
-            parameter = config.params.get('/atom_mapping/storage/load')
-            return parameter and parameter.value
-        self.assertEqual(loaded(), '')
-        self.assertEqual(loaded(map='/tmp/map.h5'), '/tmp/map.h5')
-        self.assertEqual(loaded(map='map.h5'), f'{os.environ["PWD"]}/map.h5')
+        for name in ('atom_mapping', 'compare', 'demo'):
+            def loaded(**arguments):
+                return parametersOf(ROOT / f'launch/{name}.launch', **arguments)['/atom_mapping/storage/load']
+            with self.subTest(name):
+                self.assertEqual(loaded(), '')
+                self.assertEqual(loaded(map='/tmp/map.h5'), '/tmp/map.h5')
+                self.assertEqual(loaded(map='map.h5'), f'{os.environ["PWD"]}/map.h5')
+
+    def testAConfigIsTakenByEveryLaunchFile(self):
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as config:
+            config.write('radius: 0.7\npublish: {color: distance}\n')
+            config.flush()
+            for name, argument, node in (('atom_mapping', 'config', 'atom_mapping'), ('demo', 'config', 'atom_mapping'),
+                                         ('compare', 'config', 'atom_mapping'),
+                                         ('compare', 'octomap_config', 'octomap_baseline'),
+                                         ('octomap_baseline', 'config', 'octomap_baseline')):
+                with self.subTest(f'{name} {argument}'):
+                    given = parametersOf(ROOT / f'launch/{name}.launch', **{argument: config.name})
+                    self.assertEqual(given[f'/{node}/radius'], 0.7)
+                    self.assertEqual(given[f'/{node}/publish/color'], 'distance')
+
+    def testNoNodeInheritsTheParametersOfAnEarlierLaunch(self):
+        for launch_file in LAUNCH_FILES:
+            for name in {'atom_mapping', 'octomap_baseline'} & set(nodesOf(launch_file)):
+                with self.subTest(f'{launch_file.name} {name}'):
+                    self.assertIn(f'/{name}/', configOf(launch_file).clear_params)
+
+    def testTheDemoSimulatesItsDriveOnceAndPlaysItWhole(self):
+        prefix = shlex.split(nodesOf(ROOT / 'launch/demo.launch', scene='cube', scans='2')['player'].launch_prefix)
+        self.assertEqual(prefix[:2], ['bash', '-c'])
+        simulator = next(word for word in shlex.split(prefix[2]) if word.endswith('simulate_bag'))
+        self.assertTrue(os.access(simulator, os.X_OK), simulator)
+        with tempfile.TemporaryDirectory() as folder:
+            drive = pathlib.Path(folder, 'drive.bag')
+            command = prefix[2].replace('/tmp/atom_mapping_cube_2.bag', str(drive))
+
+            def play(script):
+                return subprocess.run(['bash', '-c', script, 'player', 'test', '-s', drive],
+                                      stdout=subprocess.DEVNULL).returncode
+            self.assertNotEqual(play(command.replace('&& mv', '&& false && mv')), 0)
+            self.assertFalse(drive.exists(), 'an interrupted simulation left a bag to play')
+            self.assertEqual(play(command), 0)
+            self.assertEqual(play(command.replace(simulator, 'false')), 0, 'it was simulated again')
+
+    def testABagThatIsGivenToTheDemoIsPlayedAsItIs(self):
+        for bag, played in (('/tmp/some.bag', '/tmp/some.bag'), ('some.bag', f'{os.environ["PWD"]}/some.bag')):
+            player = nodesOf(ROOT / 'launch/demo.launch', bag=bag)['player']
+            self.assertFalse(player.launch_prefix)
+            self.assertIn(f"'{played}'", player.args)
 
     def testNodesBearTheNamesOfTheirServices(self):
         nodes = nodesOf(ROOT / 'launch/atom_mapping.launch')
