@@ -14,6 +14,7 @@
 #include "atom_mapping/ros/scan_server.h"
 #include "atom_mapping/ros/serve.h"
 #include "atom_mapping/ros/surface_service.h"
+#include "atom_mapping/ros/transform_memory.h"
 
 namespace atom_mapping {
 namespace {
@@ -24,6 +25,7 @@ class MappingNode {
   explicit MappingNode(const Parameters& parameters)
       : server_(parameters.mapping),
         storage_(server_, parameters.node.storage),
+        transforms_(transformMemory(parameters.node.input)),
         queries_(server_, transforms_, parameters.node.services),
         surface_(private_node_, server_, parameters.node.services,
                  [](const std::string& line) { ROS_INFO_STREAM(line); }),

@@ -10,6 +10,7 @@
 #include "atom_mapping/ros/scan_reporter.h"
 #include "atom_mapping/ros/serve.h"
 #include "atom_mapping/ros/snapshot_publisher.h"
+#include "atom_mapping/ros/transform_memory.h"
 #include "atom_mapping/ros/voxel_messages.h"
 
 namespace atom_mapping {
@@ -20,6 +21,7 @@ class BaselineNode {
  public:
   explicit BaselineNode(const BaselineParameters& parameters)
       : server_(parameters),
+        transforms_(transformMemory(parameters.node.input)),
         queries_(server_, transforms_, parameters.node.services),
         reporter_(node_, private_node_, server_, [this](auto& status) { describeMap(server_, status); }),
         publisher_(server_, parameters.node.publish.period, [this] { return takeSnapshot(server_); }),

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "atom_mapping/query/occupancy.h"
+#include "atom_mapping/ros/transform_memory.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
@@ -65,6 +66,19 @@ TEST_F(ScanServerTest, MapsFromWhereTfSaysTheSensorWas) {
   atom_map::Mapper direct{atom_map::MappingParameters()};
   direct.insertScan(atom_map::toLidarScan(drive_.scan(0)), drive_.pose(0));
   EXPECT_EQ(outcome.report.atoms, direct.read([](const auto& map) { return map.atoms().size(); }));
+}
+
+TEST_F(ScanServerTest, ACloudThatWaitedForAMinuteToBeMappedStillHasItsTransform) {
+  constexpr int kLater = 600;  // scans
+  InputParameters input;
+  for (const double timeout : {0.0, 60.0}) {
+    input.transform_timeout = timeout;
+    tf2::BufferCore transforms(transformMemory(input));
+    ASSERT_TRUE(transforms.setTransform(drive_.transform(0), "test"));
+    ASSERT_TRUE(transforms.setTransform(drive_.transform(kLater + static_cast<int>(10.0 * timeout)), "test"));
+    const ScanOutcome outcome = server_.insert(drive_.cloud(0), transforms);
+    EXPECT_FALSE(outcome.drop) << outcome.message;
+  }
 }
 
 TEST_F(ScanServerTest, SameCloudsGiveTheSameBytes) {
