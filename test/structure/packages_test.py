@@ -47,6 +47,13 @@ class PackagesTest(unittest.TestCase):
             for module in modules:
                 self.assertIn(f'python3-{module}', names, path)
 
+    def testCommandsOfTheReadmeAreListed(self):
+        commands = set(re.findall(r'^(ros\w+) ', (ROOT / 'README.md').read_text(), re.MULTILINE))
+        self.assertIn('rosrun', commands)
+        names = {row[1] for row in rows()}
+        for command in commands:
+            self.assertIn('rosbash' if command == 'rosrun' else f'python3-{command}', names)
+
 
 if __name__ == '__main__':
     rosunit.unitrun('atom_mapping', 'packages', PackagesTest)
