@@ -32,7 +32,10 @@ trap stopAll EXIT
 roscore -p "${ROS_MASTER_URI##*:}" >"$output/roscore.log" 2>&1 &
 pids+=($!)
 until rosparam set /use_sim_time true 2>/dev/null; do sleep 0.2; done
-if [[ ${#light[@]} -eq 0 ]]; then node_arguments+=("_storage/autosave:=$output/autosave.h5" _storage/autosave_period:=5.0); fi
+if [[ ${#light[@]} -eq 0 ]]; then
+  rm -f "$output/autosave.h5"  # of the last soak, which no node may replace
+  node_arguments+=("_storage/autosave:=$output/autosave.h5" _storage/autosave_period:=5.0)
+fi
 "$programs/atom_mapping_node" cloud_in:=/velodyne_points __name:=atom_mapping "${node_arguments[@]}" >"$output/node.log" 2>&1 &
 node=$!
 pids+=("$node")

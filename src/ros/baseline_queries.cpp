@@ -25,14 +25,12 @@ CheckCollision::Response BaselineQueries::answer(const CheckCollision::Request& 
 
 MapFile::Response BaselineQueries::answer(const MapFile::Request& request) const {
   return answered<MapFile::Response>([&](MapFile::Response& response) {
-    try {
-      atom_map::checkOctomapFile(request.file);
-      const octomap::OcTree copy = server_.read([](const OctomapBaseline& map) { return octomap::OcTree(map.tree()); });
-      response.atoms = copy.getNumLeafNodes();
-      atom_map::saveOctomap(copy, request.file);
-    } catch (const std::exception& fault) {
-      throw Refusal(fault.what());
-    }
+    const std::string file = checkedFile(request.file);
+    atom_map::checkOctomapFile(file);
+    const octomap::OcTree copy = server_.read([](const OctomapBaseline& map) { return octomap::OcTree(map.tree()); });
+    atom_map::saveOctomap(copy, file);
+    response.atoms = copy.getNumLeafNodes();
+    response.message = "saved " + std::to_string(response.atoms) + " leaves to " + file;
   });
 }
 

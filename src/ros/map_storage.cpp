@@ -3,11 +3,13 @@
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "atom_mapping/baseline/export_map.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
 #include "atom_mapping/map/forget.h"
+#include "atom_mapping/ros/answer_request.h"
 #include "atom_mapping/ros/check_request.h"
 #include "atom_mapping/ros/loaded_kind.h"
 #include "atom_mapping/ros/map_snapshot.h"
@@ -36,40 +38,42 @@ std::string tooLarge(const std::string& file, const atom_map::AtomMap& map, cons
   return text.str();
 }
 
-MapFile::Response done(const std::string& what, std::size_t atoms) {
+// `done`: what was done, such as "saved"; `way`: to or from the file.
+MapFile::Response tell(const std::string& done, std::size_t atoms, const std::string& way, const std::string& file) {
   MapFile::Response response;
   response.atoms = atoms;
-  response.success = 1;
-  response.message = what + " " + std::to_string(atoms) + " atoms";
+  response.message = done + " " + std::to_string(atoms) + " atoms " + way + " " + file;
   return response;
 }
 
-void checkAutosave(const std::string& file) {
-  if (!isMapFile(file)) throw std::runtime_error("autosave is " + file + "; name a file that ends in .h5");
-  atom_map::checkWritable(file);
+// Also of files that are not there yet.
+bool isSameFile(const fs::path& a, const fs::path& b) {
+  std::error_code none;
+  return a.lexically_normal() == b.lexically_normal() || fs::equivalent(a, b, none);
 }
 
-// Answers a request by act(), or by what went wrong.
-template <class Act>
-MapFile::Response answered(Act&& act) {
-  try {
-    return act();
-  } catch (const std::exception& error) {
-    MapFile::Response refused;
-    refused.success = 0;
-    refused.message = error.what();
-    return refused;
-  }
+// The first save would put this run's map in the place of another's.
+void checkAutosave(const StorageParameters& parameters) {
+  const std::string& file = parameters.autosave;
+  if (!isMapFile(file)) throw std::runtime_error("autosave is " + file + "; name a file that ends in .h5");
+  atom_map::checkWritable(file);
+  if (!fs::exists(file) || isSameFile(parameters.load, file)) return;
+  throw std::runtime_error("autosave is " + file +
+                           ", which is there already and is not the map to start from; set storage/load to it to go on "
+                           "with it, or move it away");
 }
 
 }  // namespace
 
 MapStorage::MapStorage(ScanServer& server, const StorageParameters& parameters)
     : server_(server), parameters_(parameters) {
-  const bool begins_anew = parameters_.load == parameters_.autosave && !fs::exists(parameters_.load);
   try {
-    if (!parameters_.load.empty() && !begins_anew) loadFrom(checkedFile(parameters_.load));
-    if (!parameters_.autosave.empty()) checkAutosave(parameters_.autosave);
+    for (std::string* const file : {&parameters_.load, &parameters_.autosave}) {
+      if (!file->empty()) *file = checkedFile(*file);
+    }
+    if (!parameters_.autosave.empty()) checkAutosave(parameters_);
+    const bool begins_anew = !fs::exists(parameters_.load) && isSameFile(parameters_.load, parameters_.autosave);
+    if (!parameters_.load.empty() && !begins_anew) loadFrom(parameters_.load);
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(std::string("storage: ") + error.what());
   }
@@ -89,23 +93,22 @@ MapStorage::~MapStorage() {
 }
 
 MapFile::Response MapStorage::save(const MapFile::Request& request) {
-  return answered([&] {
+  return answered<MapFile::Response>([&](auto& response) {
     const std::string file = checkedFile(request.file);
-    if (isMapFile(file)) return saveTo(file);
-    if (!atom_map::isExportable(file)) refuseEnding(file);
-    return exportTo(file);
+    if (!isMapFile(file) && !atom_map::isExportable(file)) refuseEnding(file);
+    response = isMapFile(file) ? saveTo(file) : exportTo(file);
   });
 }
 
 MapFile::Response MapStorage::load(const MapFile::Request& request) {
-  return answered([&] { return loadFrom(checkedFile(request.file)); });
+  return answered<MapFile::Response>([&](auto& response) { response = loadFrom(checkedFile(request.file)); });
 }
 
 MapFile::Response MapStorage::saveTo(const std::string& file) {
   const std::lock_guard lock(saving_);
   const atom_map::MapCopy copy = atom_map::copyMap(server_.mapper());
   atom_map::saveMap(copy, file);
-  return done("saved", copy.size());
+  return tell("saved", copy.size(), "to", file);
 }
 
 MapFile::Response MapStorage::exportTo(const std::string& file) {
@@ -113,7 +116,7 @@ MapFile::Response MapStorage::exportTo(const std::string& file) {
   atom_map::checkMapExport(file);
   const MapSnapshot snapshot = takeSnapshot(server_);
   atom_map::exportMap(toAtomMap(snapshot), file);
-  return done("exported", snapshot.atoms.size());
+  return tell("exported", snapshot.atoms.size(), "to", file);
 }
 
 MapFile::Response MapStorage::loadFrom(const std::string& file) {
@@ -122,12 +125,12 @@ MapFile::Response MapStorage::loadFrom(const std::string& file) {
   const atom_map::MappingParameters ours = server_.parameters();
   checkFrame(file, theirs, ours);
   fit(file, loaded.map);
-  MapFile::Response response = done("loaded", loaded.map.atoms().size());
+  MapFile::Response response = tell("loaded", loaded.map.atoms().size(), "from", file);
   if (!server_.adopt(std::move(loaded.map), theirs.radius, loaded.scans))
     refuseKind(file, theirs, server_.parameters());
   if (theirs.mode != ours.mode || theirs.radius != ours.radius) {
     response.message += "; mode and radius are those of the file from now on: " + describeKind(theirs);
-    log_.warn("kind", file + ": " + response.message);
+    log_.warn("kind", response.message);
   }
   return response;
 }
@@ -152,7 +155,7 @@ void MapStorage::autosave() {
   const std::uint64_t revision = server_.revision();
   if (revision == saved_revision_) return;
   try {
-    saveTo(checkedFile(parameters_.autosave));
+    saveTo(parameters_.autosave);
     saved_revision_ = revision;
   } catch (const std::runtime_error& error) {
     log_.warn("autosave", std::string("The map is not saved: ") + error.what());

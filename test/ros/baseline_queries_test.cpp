@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "atom_mapping/ros/pose_conversion.h"
 #include "map_file_request.h"
 #include "simulated_input.h"
 
@@ -13,14 +14,6 @@ namespace atom_mapping {
 namespace {
 
 using Eigen::Vector3d;
-
-geometry_msgs::Point toPoint(const Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
 
 QueryOccupancy::Request askAt(const std::vector<Vector3d>& points, const std::string& frame = "") {
   QueryOccupancy::Request request;
@@ -125,12 +118,14 @@ TEST_F(BaselineQueriesTest, MapsAreSavedOrItIsSaidWhyNot) {
   const auto saved = queries_.answer(at(file));
   ASSERT_TRUE(saved.success) << saved.message;
   EXPECT_EQ(saved.atoms, server_.read([](const auto& map) { return map.tree().getNumLeafNodes(); }));
+  EXPECT_EQ(saved.message, "saved " + std::to_string(saved.atoms) + " leaves to " + file);
   octomap::OcTree tree(1.0);
   EXPECT_TRUE(tree.readBinary(file));
   EXPECT_GT(tree.size(), 1000U);
   std::filesystem::remove(file);
   expectRefused(at("map.ply"), ".ot or .bt");
-  expectRefused(at(""), ".ot or .bt");
+  expectRefused(at("map.ply"), "/map.ply");
+  expectRefused(at(""), "file is empty; name one");
   expectRefused(at("/none/map.ot"), "No such file or directory");
 }
 

@@ -20,11 +20,14 @@ TEST_F(MapStorageTest, SavedResetAndLoadedIsTheSameMap) {
   ASSERT_TRUE(saved.success) << saved.message;
   EXPECT_EQ(saved.atoms, server_.read([](const AtomMap& map) { return map.atoms().size(); }));
   EXPECT_GT(saved.atoms, 100U);
+  const std::string atoms = std::to_string(saved.atoms) + " atoms ";
+  EXPECT_EQ(saved.message, "saved " + atoms + "to " + path("map.h5"));
   server_.reset();
   const std::uint64_t revision = server_.revision();
   const auto loaded = storage.load(at(path("map.h5")));
   ASSERT_TRUE(loaded.success) << loaded.message;
   EXPECT_EQ(loaded.atoms, saved.atoms);
+  EXPECT_EQ(loaded.message, "loaded " + atoms + "from " + path("map.h5"));
   EXPECT_EQ(bitsOf(server_), before);
   EXPECT_GT(server_.revision(), revision);
 }

@@ -24,7 +24,8 @@ TEST_F(MapStorageTest, OtherEndingsExportTheAtomsAsTheOfflineToolDoes) {
       const auto saved = storage.save(at(path(std::string("a") + ending)));
       ASSERT_TRUE(saved.success) << saved.message;
       EXPECT_EQ(saved.atoms, server.read([](const AtomMap& map) { return map.atoms().size(); }));
-      EXPECT_EQ(saved.message, "exported " + std::to_string(saved.atoms) + " atoms");
+      EXPECT_EQ(saved.message,
+                "exported " + std::to_string(saved.atoms) + " atoms to " + path(std::string("a") + ending));
       server.read([&](const AtomMap& map) { atom_map::exportMap(map, path(std::string("b") + ending)); });
       EXPECT_EQ(contents(path(std::string("a") + ending)), contents(path(std::string("b") + ending)));
       EXPECT_FALSE(storage.load(at(path(std::string("a") + ending))).success) << "atoms alone are no map";

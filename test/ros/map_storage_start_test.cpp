@@ -45,6 +45,34 @@ TEST_F(MapStorageTest, AMapToStartFromThatCannotBeLoadedStopsTheStart) {
   EXPECT_EQ(messageOf({path("map.h5"), path("map.h5"), 60.0}), "") << "the first start of a map that is to last";
 }
 
+TEST_F(MapStorageTest, AMapOfAnotherRunIsNotReplacedByAutosave) {
+  const std::string old = saveOther(coarse());
+  fs::copy_file(old, path("more.h5"));
+  const std::string bytes = contents(old);
+  for (const std::string& load : {std::string(), path("more.h5"), path("none.h5")}) {
+    try {
+      const MapStorage storage(server_, {load, old, 1e6});
+      mapScans(server_, 0, 1);
+      ADD_FAILURE() << "started from '" << load << "'";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "storage: autosave is " + old +
+                                  ", which is there already and is not the map to start from; set storage/load to it "
+                                  "to go on with it, or move it away");
+    }
+    EXPECT_EQ(contents(old), bytes);
+  }
+  fs::create_symlink(old, path("link.h5"));
+  EXPECT_NO_THROW(MapStorage(server_, {path("link.h5"), old, 1e6})) << "the same file by another name";
+}
+
+TEST_F(MapStorageTest, ARelativeNameIsOneOfTheWorkingDirectory) {
+  const std::string name = fs::relative(path("map.h5")).string();
+  { const MapStorage storage(server_, {name, path("map.h5"), 1e6}); }
+  mapScans(server_, 0, 1);
+  ASSERT_TRUE(MapStorage(server_, {}).save(at(name)).success);
+  EXPECT_NO_THROW(MapStorage(server_, {name, path("map.h5"), 1e6}));
+}
+
 TEST_F(MapStorageTest, TheNextStartGoesOnWhereTheLastEnded) {
   const StorageParameters parameters{path("map.h5"), path("map.h5"), 1e6};
   {

@@ -20,7 +20,7 @@ class BaselineQueries {
 
   QueryOccupancy::Response answer(const QueryOccupancy::Request& request) const;
   CheckCollision::Response answer(const CheckCollision::Request& request) const;
-  // Saves to a .ot or .bt; `atoms` is the number of leaves.
+  // Saves to a .ot or .bt; `atoms` is the number of leaves, `message` names the file with its whole path.
   MapFile::Response answer(const MapFile::Request& request) const;
   std_srvs::Trigger::Response reset();
 

@@ -18,7 +18,8 @@ namespace atom_mapping {
 // Thread safety: any member may be called from any thread; one file is written at a time.
 class MapStorage {
  public:
-  // Loads storage/load, as load() does. Throws std::invalid_argument where that cannot be, or where storage/autosave cannot be written.
+  // Loads storage/load, as load() does. Throws std::invalid_argument where that cannot be, or where storage/autosave cannot be
+  // written or is there already and is not the file that is loaded.
   MapStorage(ScanServer& server, const StorageParameters& parameters);
   // Saves to storage/autosave what changed since it was saved last.
   ~MapStorage();
@@ -28,7 +29,7 @@ class MapStorage {
   // As MapQueries' answers: never throw, and a file that cannot be loaded leaves the map as it is. A file's map must be of
   // the node's map frame and, unless the node's map is empty and takes over the file's, of its mode and radius. What is saved
   // is told by the file's ending: the map (.h5), or its atoms or space as exportMap writes them. A map beyond limits/max_* is
-  // refused or cut, as limits/policy says.
+  // refused or cut, as limits/policy says. The message names the file with its whole path.
   MapFile::Response save(const MapFile::Request& request);
   MapFile::Response load(const MapFile::Request& request);
 

@@ -33,8 +33,8 @@ struct ServiceParameters {
 
 // storage/
 struct StorageParameters {
-  std::string load;               // map file to start from, by its radius and mode; empty: none
-  std::string autosave;           // .h5 that is kept up to date and written at shutdown; empty: none
+  std::string load;      // map file to start from, by its radius and mode; empty: none
+  std::string autosave;  // .h5 that is kept up to date and written at shutdown, not there yet or `load`; empty: none
   double autosave_period = 60.0;  // s of wall time between two
 };
 
