@@ -30,6 +30,14 @@ Eigen::Vector3d checkedPoint(const std::string& where, const geometry_msgs::Poin
   return p;
 }
 
+Eigen::AlignedBox3d checkedBox(const geometry_msgs::Point& min, const geometry_msgs::Point& max) {
+  const Eigen::AlignedBox3d box(checkedPoint("min", min), checkedPoint("max", max));
+  if (box.isEmpty()) {
+    refuse("a coordinate of min is greater than that of max; min must be the lower corner of the box");
+  }
+  return box;
+}
+
 Eigen::Vector3d checkedDirection(const std::string& where, const geometry_msgs::Vector3& vector) {
   const Eigen::Vector3d v(vector.x, vector.y, vector.z);
   const double length = v.stableNorm();

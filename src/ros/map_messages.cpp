@@ -8,6 +8,7 @@
 
 #include "atom_mapping/query/occupancy.h"
 #include "atom_mapping/ros/atom_colors.h"
+#include "atom_mapping/ros/pose_conversion.h"
 
 namespace atom_mapping {
 namespace {
@@ -95,12 +96,7 @@ Marker makeSpheres(const MapSnapshot& map, std::vector<Atom> atoms, const Publis
   marker.points.reserve(atoms.size());
   marker.colors.reserve(atoms.size());
   for (const Atom& atom : atoms) {
-    const Eigen::Vector3d center = atom.center.cast<double>() + map.origin;
-    geometry_msgs::Point point;
-    point.x = center.x();
-    point.y = center.y();
-    point.z = center.z();
-    marker.points.push_back(point);
+    marker.points.push_back(toPoint(atom.center.cast<double>() + map.origin));
     marker.colors.push_back(colorOf(scale(atom)));
     marker.colors.back().a = opacity;
   }

@@ -4,6 +4,7 @@
 #include "atom_mapping/query/collision.h"
 #include "atom_mapping/ros/answer_request.h"
 #include "atom_mapping/ros/check_request.h"
+#include "atom_mapping/ros/pose_conversion.h"
 
 namespace atom_mapping {
 namespace {
@@ -11,14 +12,6 @@ namespace {
 using atom_map::AtomMap;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-
-geometry_msgs::Point toPoint(const Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
 
 }  // namespace
 
@@ -100,12 +93,7 @@ void MapQueries::fill(const CastRay::Request& request, CastRay::Response& respon
 }
 
 void MapQueries::fill(const ClearRegion::Request& request, ClearRegion::Response& response) const {
-  const Vector3d min = checkedPoint("min", request.min);
-  const Vector3d max = checkedPoint("max", request.max);
-  if ((min.array() > max.array()).any()) {
-    throw Refusal("a coordinate of min is greater than that of max; min must be the lower corner of the box");
-  }
-  response.removed = server_.clearRegion({min, max});
+  response.removed = server_.clearRegion(checkedBox(request.min, request.max));
 }
 
 void MapQueries::checkSize(const char* array, std::size_t size) const {

@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "atom_mapping/ros/pose_conversion.h"
+
 namespace atom_mapping {
 namespace {
 
@@ -18,9 +20,7 @@ Eigen::Quaterniond lookingAlong(const Vector3d& way) {
 
 geometry_msgs::Pose toPoseMessage(const Vector3d& position, const Eigen::Quaterniond& orientation) {
   geometry_msgs::Pose pose;
-  pose.position.x = position.x();
-  pose.position.y = position.y();
-  pose.position.z = position.z();
+  pose.position = toPoint(position);
   pose.orientation.x = orientation.x();
   pose.orientation.y = orientation.y();
   pose.orientation.z = orientation.z();

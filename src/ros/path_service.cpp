@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "atom_mapping/ros/answer_request.h"
+#include "atom_mapping/ros/check_request.h"
 #include "atom_mapping/ros/path_messages.h"
+#include "atom_mapping/ros/pose_conversion.h"
 
 namespace atom_mapping {
 namespace {
@@ -76,9 +78,7 @@ PlanPath::Request PathService::requestFor(const geometry_msgs::PoseStamped& goal
   if (!sensor) throw Refusal("the goal has no start: no cloud has been mapped yet; wait for the first");
   const auto parameters = server_.parameters().planning;
   PlanPath::Request request;
-  request.start.pose.position.x = sensor->translation().x();
-  request.start.pose.position.y = sensor->translation().y();
-  request.start.pose.position.z = sensor->translation().z();
+  request.start.pose.position = toPoint(sensor->translation());
   request.goal = goal;
   request.robot_radius = static_cast<float>(parameters.robot_radius);
   request.surface_distance = static_cast<float>(parameters.surface_distance);
@@ -102,10 +102,7 @@ void PathService::liftGoal(double height, PlanPath::Request& request) const {
     const int steps = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
     goal.z() = height + steps * kHeightStep * server_.parameters().radius;
     if (!fits()) continue;
-    const Vector3d in_frame = to_map.inverse() * goal;
-    request.goal.pose.position.x = in_frame.x();
-    request.goal.pose.position.y = in_frame.y();
-    request.goal.pose.position.z = in_frame.z();
+    request.goal.pose.position = toPoint(to_map.inverse() * goal);
     return;
   }
 }

@@ -10,6 +10,14 @@ constexpr double kNormTolerance = 1e-3;  // of a quaternion, as float drivers le
 
 }  // namespace
 
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
 atom_map::Pose toPose(const geometry_msgs::Transform& transform) {
   const auto& t = transform.translation;
   const auto& q = transform.rotation;

@@ -1,19 +1,9 @@
 #include "atom_mapping/ros/surface_messages.h"
 
+#include "atom_mapping/ros/pose_conversion.h"
 #include "atom_mapping/surface/sureness.h"
 
 namespace atom_mapping {
-namespace {
-
-geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
-
-}  // namespace
 
 shape_msgs::Mesh toMesh(const atom_map::SurfaceMesh& mesh) {
   shape_msgs::Mesh message;

@@ -4,10 +4,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 #include <thread>
 
 #include "atom_mapping/io/write_mesh.h"
+#include "atom_mapping/ros/answer_request.h"
 #include "atom_mapping/ros/check_request.h"
 #include "atom_mapping/ros/map_snapshot.h"
 #include "atom_mapping/ros/surface_messages.h"
@@ -25,13 +25,9 @@ bool isZero(const geometry_msgs::Point& point) {
 }
 
 // Empty, which is everywhere, where both corners are zero.
-Eigen::AlignedBox3d checkedBox(const geometry_msgs::Point& min, const geometry_msgs::Point& max) {
-  if (isZero(min) && isZero(max)) return {};
-  const Eigen::AlignedBox3d box(checkedPoint("min", min), checkedPoint("max", max));
-  if (box.isEmpty()) {
-    throw Refusal("a coordinate of min is greater than that of max; min must be the lower corner of the box");
-  }
-  return box;
+Eigen::AlignedBox3d boxOf(const ExtractSurface::Request& request) {
+  if (isZero(request.min) && isZero(request.max)) return {};
+  return checkedBox(request.min, request.max);
 }
 
 }  // namespace
@@ -44,25 +40,15 @@ SurfaceService::SurfaceService(ros::NodeHandle node, const ScanServer& server, c
       publisher_(node.advertise<visualization_msgs::Marker>("surface", 1, true)) {}
 
 ExtractSurface::Response SurfaceService::answer(const ExtractSurface::Request& request) {
-  ExtractSurface::Response response;
-  try {
-    const std::lock_guard lock(mutex_);
-    fill(request, response);
-    response.success = 1;
-    return response;
-  } catch (const std::exception& fault) {  // Refusal, of the extraction, of the file
-    ExtractSurface::Response refused;
-    refused.success = 0;
-    refused.message = fault.what();
-    return refused;
-  }
+  const std::lock_guard lock(mutex_);
+  return answered<ExtractSurface::Response>([&](auto& response) { fill(request, response); });
 }
 
 void SurfaceService::fill(const ExtractSurface::Request& request, ExtractSurface::Response& response) {
   const std::string file = request.file.empty() ? "" : checkedFile(request.file);
   if (!file.empty()) atom_map::checkMeshFile(file);
   atom_map::SurfaceRequest wanted;
-  wanted.box = checkedBox(request.min, request.max);
+  wanted.box = boxOf(request);
   wanted.resolution = checkedLength("resolution", request.resolution);
   wanted.threads = std::max(1U, std::thread::hardware_concurrency());
   wanted.max_cells = parameters_.max_points;

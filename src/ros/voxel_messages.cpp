@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "atom_mapping/ros/atom_colors.h"
+#include "atom_mapping/ros/pose_conversion.h"
 
 namespace atom_mapping {
 namespace {
@@ -35,12 +36,8 @@ Marker makeCubes(const VoxelSnapshot& map, std::size_t depth) {
 }
 
 void addCube(const Eigen::Vector3f& center, float height, Marker& marker) {
-  geometry_msgs::Point point;
-  point.x = static_cast<double>(center.x());
-  point.y = static_cast<double>(center.y());
-  point.z = static_cast<double>(center.z());
   marker.action = Marker::ADD;
-  marker.points.push_back(point);
+  marker.points.push_back(toPoint(center.cast<double>()));
   marker.colors.push_back(colorOf(height));
 }
 

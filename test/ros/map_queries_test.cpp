@@ -6,9 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <thread>
 
 #include "atom_mapping/query/collision.h"
+#include "atom_mapping/ros/answer_request.h"
+#include "atom_mapping/ros/pose_conversion.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
@@ -18,14 +21,6 @@ using Eigen::Vector3d;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-geometry_msgs::Point toPoint(const Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
 
 geometry_msgs::Vector3 toVector(const Vector3d& v) {
   geometry_msgs::Vector3 vector;
@@ -203,6 +198,17 @@ TEST_F(MapQueriesTest, FaultyRequestsAreRefusedWithTheReason) {
 
   expectRefused(box(Vector3d(0, 0, 1), Vector3d::Zero()), "min must be the lower corner");
   expectRefused(box(Vector3d(kNan, 0, 0), Vector3d::Ones()), "min is (");
+}
+
+TEST_F(MapQueriesTest, WhatIsNotOfTheFrameIsNotToldOfIt) {
+  const auto response = answered<QueryOccupancy::Response>([](auto& filled) {
+    filled.state.push_back(1);
+    throw std::runtime_error("the disk is full");
+  });
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "the disk is full");
+  EXPECT_TRUE(response.state.empty());
+  expectRefused(askAt({Vector3d::Zero()}, "nowhere"), "frame_id cannot be brought to the map frame: ");
 }
 
 TEST_F(MapQueriesTest, DirectionsOfAnyLengthAreTaken) {

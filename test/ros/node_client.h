@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "atom_mapping/ScanReport.h"
+#include "atom_mapping/ros/pose_conversion.h"
 #include "simulated_input.h"
 
 namespace atom_mapping {
@@ -135,14 +136,6 @@ class NodeClient {
   ros::Subscriber diagnostics_;
   ros::Subscriber log_;
 };
-
-inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
 
 inline Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
   return {p.x, p.y, p.z};

@@ -5,6 +5,7 @@
 #include <geometry_msgs/Vector3.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,9 @@ std::string element(const char* array, std::size_t index);
 
 // Within kFarthest.
 Eigen::Vector3d checkedPoint(const std::string& where, const geometry_msgs::Point& point);
+
+// Between two corners, as checkedPoint, the lower one first.
+Eigen::AlignedBox3d checkedBox(const geometry_msgs::Point& min, const geometry_msgs::Point& max);
 
 // A vector of any length but zero; returns its direction.
 Eigen::Vector3d checkedDirection(const std::string& where, const geometry_msgs::Vector3& vector);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry_msgs/Point.h>
 #include <geometry_msgs/Transform.h>
 
 #include <stdexcept>
@@ -16,6 +17,8 @@ class BadTransform : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 
 // Throws BadTransform.
 atom_map::Pose toPose(const geometry_msgs::Transform& transform);
