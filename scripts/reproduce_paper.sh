@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Repeats the experiments of the paper's section V, OctoMap beside the atoms, and draws tables and plots of what came out.
-source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+set -euo pipefail
 
 usage() {
   cat <<'USAGE'
@@ -13,7 +13,7 @@ USAGE
 }
 
 command="scripts/reproduce_paper.sh${*:+ $*}"
-output=$repository/evaluation_output quick=false publish=false
+output='' quick=false publish=false
 while [[ $# -gt 0 ]]; do
   case $1 in
     --quick) quick=true && shift ;;
@@ -23,6 +23,10 @@ while [[ $# -gt 0 ]]; do
     *) usage >&2 && exit 2 ;;
   esac
 done
+
+# Not before: it may install packages.
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+output=${output:-$repository/evaluation_output}
 
 # Scans: of the drives of Table I, of those at small radii, of those with exact truth, in the closed scenes, of slopes.
 drive=600 fine=100 few=40 closed=40 climb=40
