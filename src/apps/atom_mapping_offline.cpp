@@ -98,9 +98,6 @@ void run(const Options& options) {
   ScanServer server(makeParameters(options));
   checkOutputs(options, server.parameters().radius);
   BagReader bag(options.bag, options.cloud_topic);
-  if (!bag.hasTransforms()) throw BadBag(options.bag + " holds no tf: record /tf and /tf_static beside the clouds");
-  if (bag.clouds() == 0) throw BadBag(options.bag + " holds not one cloud on " + bag.cloudTopic());
-
   const Clock::time_point start = Clock::now();
   BagSummary summary;
   insertBag(bag, options.scans, server, [&](const atom_mapping::ScanOutcome& outcome) { summary.add(outcome); });

@@ -103,9 +103,10 @@ class ContestServer : public atom_mapping::CloudServer {
 void mapBag(const Options& options, ContestServer& server) {
   BagReader bag(options.bag, options.cloud_topic);
   insertBag(bag, options.scans, server, [](const atom_mapping::ScanOutcome&) {});
-  if (server.counts().mapped == 0) {
-    throw BadBag("nothing of " + options.bag + " was mapped: " + server.counts().last_drop);
-  }
+  const atom_mapping::ScanCounts counts = server.counts();
+  if (counts.mapped == 0) throw BadBag("nothing of " + options.bag + " was mapped: " + counts.last_drop);
+  if (counts.droppedInAll() == 0) return;
+  std::cout << counts.droppedInAll() << " clouds dropped, the last: " << counts.last_drop << "\n";
 }
 
 nlohmann::ordered_json toJson(const Options& options, const MappingParameters& parameters, const Contest& contest,

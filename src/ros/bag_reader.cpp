@@ -8,6 +8,8 @@
 #include <system_error>
 #include <vector>
 
+#include "atom_mapping/ros/time_watch.h"
+
 namespace atom_mapping {
 namespace {
 
@@ -104,22 +106,60 @@ void BagReader::startTransforms() {
   const ros::Duration length = whole.size() == 0 ? ros::Duration() : whole.getEndTime() - whole.getBeginTime();
   transforms_.emplace(length + ros::Duration(60.0));  // none is forgotten, wherever in the bag it was recorded
 
-  rosbag::View fixed(ahead_, rosbag::TopicQuery(std::vector<std::string>{"/tf_static", "tf_static"}));
-  rosbag::View::iterator first = fixed.begin();
-  readTransforms(first, fixed, ros::TIME_MAX, true);
-
+  readStaticTransforms();
   transform_view_.addQuery(ahead_, rosbag::TopicQuery(std::vector<std::string>{"/tf", "tf"}));
   next_transform_ = transform_view_.begin();
-  has_transforms_ = fixed.size() + transform_view_.size() > 0;
+  has_transforms_ = has_transforms_ || transform_view_.size() > 0;
 }
 
-void BagReader::readTransforms(rosbag::View::iterator& next, rosbag::View& view, const ros::Time& until,
-                               bool are_static) {
-  for (; next != view.end() && next->getTime() <= until; ++next) {
-    const auto message = next->instantiate<tf2_msgs::TFMessage>();
+void BagReader::readStaticTransforms() {
+  rosbag::View view(ahead_, rosbag::TopicQuery(std::vector<std::string>{"/tf_static", "tf_static"}));
+  has_transforms_ = view.size() > 0;
+  for (const rosbag::MessageInstance& recorded : view) {
+    const auto message = recorded.instantiate<tf2_msgs::TFMessage>();
     if (!message) continue;
-    for (const auto& transform : message->transforms) transforms_->setTransform(transform, "bag", are_static);
+    for (const auto& transform : message->transforms) transforms_->setTransform(transform, "bag", true);
   }
+}
+
+// Up to those that were recorded with a cloud and, as long as time goes on, some seconds after it: transforms of a time that began
+// anew would lie among those of before.
+void BagReader::readTransforms(const ros::Time& recorded) {
+  for (; next_transform_ != transform_view_.end() && next_transform_->getTime() <= recorded + kAhead;
+       ++next_transform_) {
+    const auto message = next_transform_->instantiate<tf2_msgs::TFMessage>();
+    if (!message) continue;
+    const bool is_ahead = next_transform_->getTime() > recorded;
+    for (const auto& transform : message->transforms) {
+      if (is_ahead && goesBack(transform)) return;
+    }
+    for (const auto& transform : message->transforms) {
+      transforms_->setTransform(transform, "bag", false);
+      ros::Time& newest = newest_[transform.child_frame_id];
+      newest = std::max(newest, transform.header.stamp);
+    }
+  }
+}
+
+bool BagReader::goesBack(const geometry_msgs::TransformStamped& transform) const {
+  const auto newest = newest_.find(transform.child_frame_id);
+  return newest != newest_.end() && transform.header.stamp.toSec() + TimeWatch::kTolerance < newest->second.toSec();
+}
+
+void BagReader::restartTime() {
+  guarded(file_, [&] {
+    transforms_->clear();  // which keeps the static ones
+    newest_.clear();
+    next_transform_ = transform_view_.begin();
+    while (next_transform_ != transform_view_.end() && next_transform_->getTime() < recorded_.front())
+      ++next_transform_;
+    readTransforms(recorded_.back());
+  });
+}
+
+void BagReader::expectUsable() const {
+  if (!has_transforms_) throw BadBag(file_ + " holds no tf: record /tf and /tf_static beside the clouds");
+  if (clouds_ == 0) throw BadBag(file_ + " holds not one cloud on " + cloud_topic_);
 }
 
 std::string BagReader::frames() const {
@@ -133,7 +173,9 @@ sensor_msgs::PointCloud2ConstPtr BagReader::next() {
   return guarded(file_, [&]() -> sensor_msgs::PointCloud2ConstPtr {
     if (next_cloud_ == cloud_view_.end()) return nullptr;
     const rosbag::MessageInstance recorded = *next_cloud_;
-    readTransforms(next_transform_, transform_view_, recorded.getTime() + kAhead, false);
+    recorded_.push_back(recorded.getTime());
+    if (recorded_.size() > TimeWatch::kClouds) recorded_.pop_front();
+    readTransforms(recorded.getTime());
     auto cloud = recorded.instantiate<sensor_msgs::PointCloud2>();
     if (!cloud) throw BadBag(file_ + " holds a message on " + cloud_topic_ + " that is no sensor_msgs/PointCloud2");
     ++next_cloud_;

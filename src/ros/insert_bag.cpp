@@ -6,16 +6,23 @@
 #include <iostream>
 
 #include "atom_mapping/ros/bag_progress.h"
+#include "atom_mapping/ros/time_watch.h"
 
 namespace atom_mapping {
 
 void insertBag(BagReader& bag, std::optional<std::size_t> scans, CloudServer& server,
                const std::function<void(const ScanOutcome&)>& each) {
+  bag.expectUsable();
   const std::size_t total = std::min(scans.value_or(bag.clouds()), bag.clouds());
   BagProgress progress(total, std::cerr, isatty(STDERR_FILENO) == 1);
+  TimeWatch time_watch;
   for (std::size_t i = 0; i < total; ++i) {
     const auto cloud = bag.next();
     if (!cloud) return;
+    if (time_watch.stampsWentBack(cloud->header.stamp, server.newest())) {
+      bag.restartTime();
+      server.restartTime();
+    }
     each(server.insert(*cloud, bag.transforms()));
     progress.step();
   }

@@ -1,5 +1,7 @@
 // The program compare_maps, started as a user would, on a short simulated drive.
 #include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -131,6 +133,29 @@ TEST_F(CompareMaps, AnOctomapOfEveryReturnIsThatWithoutTheFilter) {
   for (const char* key : {"units", "free", "false_occupied", "unknown", "surface"})
     EXPECT_EQ(every.at(key), whole.at(key));
   EXPECT_GT(every.at("units"), figures.at("maps")[2].at("units"));
+}
+
+template <class Keep>
+void copyBag(const std::string& from, const std::string& to, Keep keep) {
+  const rosbag::Bag whole(from, rosbag::bagmode::Read);
+  rosbag::Bag part(to, rosbag::bagmode::Write);
+  rosbag::View all(whole);
+  for (const rosbag::MessageInstance& message : all) {
+    if (keep(message)) part.write(message.getTopic(), message.getTime(), message);
+  }
+}
+
+TEST_F(CompareMaps, TellsHowManyCloudsWereDroppedAndWhy) {
+  EXPECT_FALSE(contains(runProgram("compare_maps", "--bag " + path("hall.bag"), folder).out, "dropped"));
+  const ros::Time second_cloud = ros::Time(1500000000) + ros::Duration(0.1);
+  copyBag(path("hall.bag"), path("late.bag"),
+          [&](const auto& message) { return message.getTopic() != "/tf" || message.getTime() > second_cloud; });
+  const auto result = runProgram("compare_maps", "--bag " + path("late.bag"), folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "2 clouds dropped, the last: no transform from velodyne to map: ")) << result.out;
+  copyBag(path("hall.bag"), path("no_tf.bag"),
+          [](const auto& message) { return message.getTopic() == "/velodyne_points"; });
+  expectFault("--bag " + path("no_tf.bag"), "holds no tf: record /tf");
 }
 
 TEST_F(CompareMaps, SaysWhatIsWrong) {

@@ -5,6 +5,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -168,6 +169,37 @@ TEST_F(Offline, ScansWithoutTransformAreDroppedAndCounted) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "scans mapped      3 in ")) << result.out;
   EXPECT_TRUE(contains(result.out, "scans dropped     2, no transform 2\n")) << result.out;
+}
+
+// A robot whose clock begins anew, elsewhere.
+TEST_F(Offline, MappingGoesOnWhereTheStampsBeginAnew) {
+  constexpr int kScans = 30;
+  constexpr double kElsewhere = 200.0;  // m
+  std::vector<sensor_msgs::PointCloud2> clouds;
+  for (int scan = 0; scan < kScans; ++scan) clouds.push_back(cloudOf(scan));
+  rosbag::Bag bag(path("twice.bag"), rosbag::bagmode::Write);
+  for (int i = 0; i < 2 * kScans; ++i) {
+    auto transforms = transformOf(i % kScans, "map");
+    if (i >= kScans) transforms.transforms[0].transform.translation.x += kElsewhere;
+    bag.write("/tf", stampOf(i), transforms);
+    bag.write("/velodyne_points", stampOf(i), clouds[i % kScans]);
+  }
+  bag.close();
+  const ProgramResult result = run("--bag " + path("twice.bag") + " --save " + path("map.h5"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "scans mapped      56 in ")) << result.out;
+  EXPECT_TRUE(contains(result.out, "scans dropped     4, out of order 4\n")) << result.out;
+  std::size_t here = 0;
+  std::size_t elsewhere = 0;
+  const atom_map::LoadedMap loaded = atom_map::loadMap(path("map.h5"));
+  loaded.map.atoms().forEach([&](const atom_map::ConstAtomRef& atom) {
+    const double x = loaded.map.toMap(atom.center()).x();
+    here += std::abs(x) < 10.0 ? 1 : 0;
+    elsewhere += std::abs(x - kElsewhere) < 10.0 ? 1 : 0;
+  });
+  EXPECT_GT(here, 10U);
+  EXPECT_GT(elsewhere, 10U);
+  EXPECT_EQ(here + elsewhere, loaded.map.atoms().size()) << "poses between those of the two runs";
 }
 
 TEST_F(Offline, TheTopicOfTheCloudsIsFoundOrAsked) {

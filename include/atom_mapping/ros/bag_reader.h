@@ -5,6 +5,8 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2/buffer_core.h>
 
+#include <deque>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,8 +29,14 @@ class BagReader {
   // BadBag where the bag is damaged.
   sensor_msgs::PointCloud2ConstPtr next();
 
+  // Time began anew with the first of the last TimeWatch::kClouds clouds: forgets the transforms that were recorded before it.
+  // Throws BadBag.
+  void restartTime();
+
+  // Throws BadBag where there is nothing to map: not one cloud, or no transforms.
+  void expectUsable() const;
+
   const tf2::BufferCore& transforms() const { return *transforms_; }
-  bool hasTransforms() const { return has_transforms_; }
   std::string frames() const;  // that the transforms read so far tell of, such as "map, velodyne"
   const std::string& cloudTopic() const { return cloud_topic_; }
   std::size_t clouds() const { return clouds_; }
@@ -37,7 +45,9 @@ class BagReader {
   void open();
   void chooseTopic(const std::string& wanted);
   void startTransforms();
-  void readTransforms(rosbag::View::iterator& next, rosbag::View& view, const ros::Time& until, bool are_static);
+  void readStaticTransforms();
+  void readTransforms(const ros::Time& recorded);
+  bool goesBack(const geometry_msgs::TransformStamped& transform) const;
 
   std::string file_;
   std::string cloud_topic_;
@@ -50,6 +60,8 @@ class BagReader {
   rosbag::View::iterator next_cloud_;
   rosbag::View::iterator next_transform_;
   std::optional<tf2::BufferCore> transforms_;
+  std::map<std::string, ros::Time> newest_;  // stamp of each child frame's transforms
+  std::deque<ros::Time> recorded_;           // when the last clouds were
 };
 
 }  // namespace atom_mapping
