@@ -4,11 +4,12 @@
 #include <iostream>
 #include <vector>
 
+#include "atom_mapping/apps/check_output.h"
 #include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/base/angles.h"
 #include "atom_mapping/io/map_file.h"
-#include "atom_mapping/io/write_file.h"
 #include "atom_mapping/query/combine_maps.h"
+#include "atom_mapping/ros/fit_to_limits.h"
 
 namespace {
 
@@ -34,13 +35,17 @@ void checkAlike(const LoadedMap& a, const LoadedMap& b) {
 }
 
 void merge(const std::string& a_file, const std::string& b_file, const atom_map::Pose& b_to_a, const std::string& out) {
-  atom_map::checkWritable(out);
+  atom_mapping::checkOutput(out, ".h5");
   LoadedMap a = atom_map::loadMap(a_file);
   const LoadedMap b = atom_map::loadMap(b_file);
   checkAlike(a, b);
   const atom_map::MergeReport report = atom_map::mergeInto(a.map, atom_map::transformed(b.map, b_to_a), a.parameters);
+  const std::string fault = "cannot write " + out + " within the limits of " + a_file;
+  const std::size_t forgotten = atom_mapping::fitToLimits(fault, a.parameters.limits, a.map.origin(), a.map);
   std::cout << out << ": " << a.map.atoms().size() << " atoms, " << report.inserted << " of them from " << b_file
-            << ", " << report.updates << " updates\n";
+            << ", " << report.updates << " updates";
+  if (forgotten > 0) std::cout << "; the limits of " << a_file << " left no room for " << forgotten;
+  std::cout << "\n";
   atom_map::Mapper mapper(a.parameters);
   mapper.replace(std::move(a.map), a.scans + b.scans);
   atom_map::saveMap(atom_map::copyMap(mapper), out);
@@ -53,11 +58,11 @@ int main(int argc, char** argv) {
   std::string b;
   std::string out;
   std::vector<double> transform(6, 0.0);
-  CLI::App app("Merges map B into map A as a scan is merged; frame and parameters of the outcome are A's.",
+  CLI::App app("Merges map B into map A as a scan is merged; frame, parameters and limits of the outcome are A's.",
                "merge_maps");
   app.add_option("A", a, "Map file")->required();
   app.add_option("B", b, "Map file")->required();
   app.add_option("--transform", transform, "B's frame to A's: x y z (m) roll pitch yaw (deg)")->expected(6);
-  app.add_option("--out", out, "Map file to write; may be A or B")->required();
+  app.add_option("--out", out, "Map file to write, a .h5; may be A or B")->required();
   return atom_mapping::runProgram(app, argc, argv, [&] { merge(a, b, toPose(transform), out); });
 }

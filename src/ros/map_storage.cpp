@@ -8,9 +8,9 @@
 #include "atom_mapping/baseline/export_map.h"
 #include "atom_mapping/io/map_file.h"
 #include "atom_mapping/io/write_file.h"
-#include "atom_mapping/map/forget.h"
 #include "atom_mapping/ros/answer_request.h"
 #include "atom_mapping/ros/check_request.h"
+#include "atom_mapping/ros/fit_to_limits.h"
 #include "atom_mapping/ros/loaded_kind.h"
 #include "atom_mapping/ros/map_snapshot.h"
 
@@ -27,15 +27,6 @@ bool isMapFile(const std::string& file) {
   throw std::runtime_error(
       "cannot save to " + file +
       ": name a file that ends in .h5 for the map, in .ply, .pcd or .csv for its atoms, or in .bt " + "for an OctoMap");
-}
-
-std::string tooLarge(const std::string& file, const atom_map::AtomMap& map, const atom_map::LimitParameters& limits) {
-  std::ostringstream text;
-  text << "cannot load " << file << ": its " << map.atoms().size() << " atoms (" << 1e-6 * map.atoms().bytes()
-       << " MB) are more than this node takes with limits/max_atoms " << limits.max_atoms
-       << " and limits/max_megabytes " << limits.max_megabytes
-       << " (0: no limit); raise them, load another map, or set limits/policy to forget_farthest";
-  return text.str();
 }
 
 // `done`: what was done, such as "saved"; `way`: to or from the file.
@@ -138,14 +129,10 @@ MapFile::Response MapStorage::loadFrom(const std::string& file) {
 // Choice: the farthest are those from where the sensor was last, and before the first cloud from where the file's map began.
 // The window waits for the next cloud.
 void MapStorage::fit(const std::string& file, atom_map::AtomMap& map) {
-  const atom_map::LimitParameters limits = server_.parameters().limits;
-  const atom_map::MapLimit limit = atom_map::limitOf(limits);
-  if (limit.holds(map.atoms())) return;
-  map.atoms().shrink();  // so that a map which was saved within the limit is
-  if (limit.holds(map.atoms())) return;
-  if (limits.policy == atom_map::LimitPolicy::kRefuse) throw std::runtime_error(tooLarge(file, map, limits));
   const auto sensor = server_.sensorPose();
-  const std::size_t forgotten = forgetFarthest(map, limit, sensor ? sensor->translation() : map.origin());
+  const Eigen::Vector3d place = sensor ? Eigen::Vector3d(sensor->translation()) : map.origin();
+  const std::size_t forgotten = fitToLimits("cannot load " + file, server_.parameters().limits, place, map);
+  if (forgotten == 0) return;
   log_.warn("fit", "Forgot " + std::to_string(forgotten) + " atoms of " + file +
                        ", those farthest from the sensor, since " +
                        "limits/max_atoms and limits/max_megabytes leave no room for them");
