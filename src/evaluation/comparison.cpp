@@ -17,6 +17,7 @@ void add(const ScanReport::Seconds& more, ScanReport::Seconds& sum) {
   sum.rays += more.rays;
   sum.candidate_filter += more.candidate_filter;
   sum.merge += more.merge;
+  sum.forget += more.forget;
 }
 
 }  // namespace
