@@ -7,10 +7,10 @@
 #include <thread>
 #include <vector>
 
+#include "atom_mapping/apps/check_output.h"
 #include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/baseline/export_map.h"
 #include "atom_mapping/io/map_file.h"
-#include "atom_mapping/io/write_file.h"
 #include "atom_mapping/io/write_mesh.h"
 #include "atom_mapping/ros/bag_reader.h"
 #include "atom_mapping/ros/bag_summary.h"
@@ -70,7 +70,7 @@ std::string explain(const BagReader& bag, const ScanServer& server, const BagSum
 
 // Before hours of mapping.
 void checkOutputs(const Options& options, double radius) {
-  if (!options.save.empty()) atom_map::checkWritable(options.save);
+  if (!options.save.empty()) atom_mapping::checkOutput(options.save, ".h5");
   for (const std::string& file : options.exports) atom_map::checkMapExport(file);
   if (!options.surface.empty()) atom_map::checkMeshFile(options.surface);
   atom_map::surfaceSpacing(static_cast<float>(radius), options.surface_resolution);

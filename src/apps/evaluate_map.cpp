@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "atom_mapping/apps/finite_range.h"
 #include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/baseline/octomap_baseline.h"
 #include "atom_mapping/evaluation/comparison.h"
@@ -23,6 +24,7 @@ using atom_map::ComparedMap;
 using atom_map::MappingParameters;
 using atom_map::RecordedDrive;
 using atom_map::Scene;
+using atom_mapping::finiteRange;
 using nlohmann::ordered_json;
 
 struct Options {
@@ -42,9 +44,12 @@ struct Options {
 void addOptions(CLI::App& app, Options& options) {
   app.add_option("--scene", options.scene, "hall, campus, cube, cube_rotated or sphere")->capture_default_str();
   app.add_option("--radius", options.radii, "of the atoms, metres; several may be given")->capture_default_str();
-  app.add_option("--slope", options.slopes, "instead of a scene bare ground that rises so many degrees; several");
+  app.add_option("--slope", options.slopes, "instead of a scene bare ground that rises so many degrees; several")
+      ->check(finiteRange(-80.0, 80.0));
   app.add_option("--scans", options.scans)->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--noise", options.noise, "standard deviation of a range, metres")->capture_default_str();
+  app.add_option("--noise", options.noise, "standard deviation of a range, metres")
+      ->check(finiteRange(0.0, 1.0))
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "of the noise")->capture_default_str();
   app.add_option("--stride", options.stride, "of a scan's rays every so many is asked about")
       ->check(CLI::PositiveNumber)

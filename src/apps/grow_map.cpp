@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "atom_mapping/apps/check_output.h"
 #include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/evaluation/growth.h"
 #include "atom_mapping/evaluation/map_figures.h"
@@ -54,9 +55,8 @@ void print(const atom_map::GrowthStep& step) {
 }
 
 void run(const Options& options) {
-  for (const std::string& file : {options.json, options.save}) {
-    if (!file.empty()) atom_map::checkWritable(file);
-  }
+  if (!options.json.empty()) atom_map::checkWritable(options.json);
+  if (!options.save.empty()) atom_mapping::checkOutput(options.save, ".h5");
   const atom_map::Scene scene = atom_map::makeScene(options.scene);
   atom_map::MappingParameters parameters;
   parameters.radius = options.radius;

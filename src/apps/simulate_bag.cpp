@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "atom_mapping/apps/finite_range.h"
 #include "atom_mapping/apps/run_program.h"
 #include "atom_mapping/base/angles.h"
 #include "atom_mapping/ros/simulated_messages.h"
@@ -22,6 +23,7 @@ using atom_map::kDegree;
 using atom_map::LidarModel;
 using atom_map::Scene;
 using atom_map::Trajectory;
+using atom_mapping::finiteRange;
 
 constexpr std::uint32_t kStartTime = 1500000000;  // s, stamp of the first scan
 constexpr int kTransformPeriod = 20;              // ms
@@ -97,14 +99,6 @@ void writeDrive(const Options& options, rosbag::Bag& bag) {
     const bool scan_is_due = now >= 0 && now <= last_scan && now % scan_period == 0;
     if (scan_is_due) bag.write("/velodyne_points", stampAt(now), scanAt(options, scene, drive, now));
   }
-}
-
-// As CLI::Range, which lets NaN through.
-CLI::Validator finiteRange(double low, double high) {
-  const auto check = [](const std::string& text) {
-    return std::string(std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "");
-  };
-  return CLI::Validator(check, "") & CLI::Range(low, high);
 }
 
 void addOptions(CLI::App& app, Options& options) {

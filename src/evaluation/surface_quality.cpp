@@ -8,6 +8,8 @@ namespace atom_map {
 namespace {
 
 constexpr std::uint64_t kPoints = 40000;
+constexpr std::uint64_t kMostDraws =
+    500 * kPoints;  // of surfaces so thin, or returns so far from them, that few are near
 
 Eigen::Vector3d drawIn(const Eigen::AlignedBox3d& box, Random& random) {
   Eigen::Vector3d share;
@@ -20,7 +22,7 @@ template <class Draw>
 void measure(const Scene& scene, double distance, const AskOccupancy& ask, Draw draw, SurfaceQuality& quality) {
   Share& q = quality.q.emplace_back();
   Share& f = quality.f.emplace_back();
-  while (q.whole < kPoints || f.whole < kPoints) {
+  for (std::uint64_t i = 0; i < kMostDraws && (q.whole < kPoints || f.whole < kPoints); ++i) {
     const Eigen::Vector3d point = draw();
     const double depth = scene.signedDistance(point);
     Share& side = depth > 0.0 ? q : f;

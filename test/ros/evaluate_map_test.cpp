@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "../test_folder.h"
+#include "atom_mapping/evaluation/surface_quality.h"
+#include "atom_mapping/sim/make_scene.h"
 #include "program_runner.h"
 
 namespace atom_mapping {
@@ -85,6 +87,24 @@ TEST_F(EvaluateMap, SaysWhatIsWrong) {
   const auto result = runProgram("evaluate_map", "--scene moon", folder_);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(contains(result.err, "evaluate_map: no scene is called 'moon'")) << result.err;
+  for (const std::string arguments :
+       {"--noise nan", "--noise -1", "--noise 2", "--slope nan", "--slope 200", "--slope -90"}) {
+    const auto refused = runProgram("evaluate_map", arguments, folder_);
+    EXPECT_EQ(refused.exit_code, 2) << arguments;
+    EXPECT_TRUE(contains(refused.err, arguments.substr(0, 7))) << refused.err;
+    EXPECT_EQ(refused.out, "") << arguments;
+  }
+}
+
+// Only chance would draw a point that near.
+TEST(SurfaceQuality, EndsWhereHardlyAnyPointIsNearASurface) {
+  const atom_map::Scene scene = atom_map::makeScene("cube");
+  const Eigen::Vector3d sensor = Eigen::Vector3d::Zero();
+  const std::vector<atom_map::ObservedRay> rays{{sensor, sensor, Eigen::Vector3d::UnitZ(), false}};
+  const auto ask = [](const Eigen::Vector3d&) { return atom_map::Occupancy::kFree; };
+  const auto quality = atom_map::measureQualityAtReturns(scene, rays, {0.1}, ask, 1);
+  EXPECT_EQ(quality.q.at(0).whole, 0U);
+  EXPECT_EQ(quality.f.at(0).whole, 0U);
 }
 
 }  // namespace

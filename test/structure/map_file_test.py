@@ -84,6 +84,29 @@ class MapFileTest(unittest.TestCase):
         self.assertEqual((refused.returncode, pathlib.Path('no.h5').exists()), (2, False))
         self.assertIn('name two of one mode', refused.stderr)
 
+    def testAMergedMapKeepsWithinTheLimitsOfTheFirst(self):
+        for policy in ('refuse', 'forget_farthest'):
+            pathlib.Path('limits.yaml').write_text(f'limits: {{max_atoms: {len(self.atoms)}, policy: {policy}}}')
+            mapped = run('atom_mapping_offline', '--bag', 'cube.bag', '--config', 'limits.yaml', '--save', f'{policy}.h5')
+            self.assertEqual(mapped.returncode, 0, mapped.stderr)
+        apart = ('--transform', '1000', '0', '0', '0', '0', '0', '--out', 'limited.h5')
+        refused = run('merge_maps', 'refuse.h5', 'map.h5', *apart)
+        self.assertEqual((refused.returncode, pathlib.Path('limited.h5').exists()), (2, False))
+        self.assertIn(f'its {2 * len(self.atoms)} atoms (', refused.stderr)
+        self.assertIn(f'are more than limits/max_atoms {len(self.atoms)} ', refused.stderr)
+        cut = run('merge_maps', 'forget_farthest.h5', 'map.h5', *apart)
+        self.assertEqual(cut.returncode, 0, cut.stderr)
+        atoms, forgotten = map(int, re.search(r': (\d+) atoms, .* left no room for (\d+)$', cut.stdout.strip()).groups())
+        self.assertLessEqual(atoms, len(self.atoms))
+        self.assertEqual(atoms + forgotten, 2 * len(self.atoms))
+
+    def testMapsAreSavedUnderTheirEndingOnly(self):
+        for arguments in (('atom_mapping_offline', '--bag', 'cube.bag', '--save', 'map.ply'),
+                          ('merge_maps', 'map.h5', 'map.h5', '--out', 'map.ply'), ('grow_map', '--save', 'map.ply')):
+            refused = run(*arguments)
+            self.assertEqual((refused.returncode, refused.stdout, pathlib.Path('map.ply').exists()), (2, '', False))
+            self.assertIn('cannot write map.ply: name a file that ends in .h5', refused.stderr)
+
 
 if __name__ == '__main__':
     rosunit.unitrun('atom_mapping', 'map_file', MapFileTest)

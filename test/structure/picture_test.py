@@ -54,6 +54,15 @@ class PictureTest(unittest.TestCase):
         self.assertEqual((process.returncode, png), (2, b''))
         self.assertIn('no occupied atom', process.stderr)
 
+    def testDrawsNoPngUnderAnotherName(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ply, jpg = pathlib.Path(folder, 'atoms.ply'), pathlib.Path(folder, 'map.jpg')
+            ply.write_text(HEADER.format(1) + '0 0 0 1\n')
+            program = roslib.packages.find_node('atom_mapping', 'render_map')[0]
+            process = subprocess.run([program, ply, '--out', jpg], stderr=subprocess.PIPE, universal_newlines=True)
+            self.assertEqual((process.returncode, jpg.exists()), (2, False))
+            self.assertIn('map.jpg: name a file that ends in .png', process.stderr)
+
 
 if __name__ == '__main__':
     rosunit.unitrun('atom_mapping', 'picture', PictureTest)
