@@ -48,6 +48,10 @@ checkTidy() {
   local stamps=$workspace/tidy objects=$workspace/build/atom_mapping/CMakeFiles stale=() source stamp
   mkdir -p "$stamps"
   while read -r source; do
+    if ! grep -qF "/$source\"" "$workspace/build/compile_commands.json"; then
+      echo "SKIPPED: $source, which is not built here"
+      continue
+    fi
     stamp=$stamps/${source//\//_}
     if [[ ! $stamp -nt .clang-tidy || $(find "$objects" -path "*/$source.o" -newer "$stamp") ]]; then stale+=("$source"); fi
   done < <(find src -name '*.cpp')
