@@ -1,5 +1,6 @@
 #include "atom_mapping/ros/bag_summary.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <numeric>
 #include <utility>
@@ -15,6 +16,15 @@ using Seconds = float ScanReport::*;
 std::uint64_t sum(const std::vector<ScanReport>& reports, Count count) {
   return std::accumulate(reports.begin(), reports.end(), std::uint64_t{0},
                          [&](std::uint64_t total, const ScanReport& report) { return total + report.*count; });
+}
+
+// Seconds from scan to scan, where time did not begin anew.
+double secondsOf(const std::vector<ScanReport>& reports) {
+  double seconds = 0.0;
+  for (std::size_t i = 1; i < reports.size(); ++i) {
+    seconds += std::max(0.0, (reports[i].header.stamp - reports[i - 1].header.stamp).toSec());
+  }
+  return seconds;
 }
 
 std::ostream& label(std::ostream& out, const char* text) {
@@ -44,8 +54,7 @@ void BagSummary::print(double seconds, std::ostream& out) const {
 void BagSummary::printScans(double seconds, std::ostream& out) const {
   label(out, "scans mapped") << reports_.size() << " in " << std::setprecision(1) << seconds << " s";
   if (reports_.size() > 1) {
-    const double recorded = (reports_.back().header.stamp - reports_.front().header.stamp).toSec();
-    out << ", " << recorded / seconds << " times as fast as recorded";
+    out << ", " << secondsOf(reports_) / seconds << " times as fast as recorded";
   }
   out << "\n";
   label(out, "scans dropped") << std::accumulate(drops_.begin(), drops_.end(), std::size_t{0},

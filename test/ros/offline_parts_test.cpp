@@ -68,6 +68,18 @@ TEST(BagSummary, AddsUpScansPointsAndDropsByCause) {
   EXPECT_EQ(summary.firstDrop(), "no transform: first");
 }
 
+TEST(BagSummary, ARecordingWhoseTimeBeganAnewIsAsLongAsItsParts) {
+  BagSummary summary;
+  for (const double stamp : {100.0, 112.0, 50.0, 58.0}) {
+    ScanOutcome outcome = mapped(100, 0.01F);
+    outcome.report.header.stamp = ros::Time(stamp);
+    summary.add(outcome);
+  }
+  std::ostringstream out;
+  summary.print(2.0, out);
+  EXPECT_NE(out.str().find("4 in 2.0 s, 10.0 times as fast as recorded\n"), std::string::npos) << out.str();
+}
+
 TEST(BagSummary, TellsWhatALimitedMapRefusedAndForgot) {
   BagSummary summary;
   ScanOutcome outcome = mapped(100, 0.01F);
