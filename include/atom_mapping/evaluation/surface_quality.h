@@ -15,8 +15,8 @@ struct SurfaceQuality {
   std::vector<Share> f;  // of those on the solid side; less is better
 };
 
-// Monte Carlo, 40,000 points for each share, or fewer where hardly any point is that near; drawn from the seed. `epsilon`: the distances, m. The scene must be closed
-// and its inside seen by the sensor.
+// Monte Carlo, 40,000 points for each share, or fewer where hardly any point is that near; drawn from the seed. `epsilon`: the
+// distances, m. The scene must be closed and its inside seen by the sensor.
 SurfaceQuality measureSurfaceQuality(const Scene& scene, const std::vector<double>& epsilon, const AskOccupancy& ask,
                                      std::uint64_t seed);
 
