@@ -87,7 +87,7 @@ TEST_F(ComparisonOfFakes, JsonHoldsEveryFigure) {
   const nlohmann::json json = toJson(figures_[2]);
   EXPECT_EQ(json.at("name"), "perfect");
   EXPECT_DOUBLE_EQ(json.at("stages").at("merge"), 500.0) << "milliseconds a scan";
-  EXPECT_EQ(json.at("stages").size(), 5U);
+  EXPECT_EQ(json.at("stages").size(), 6U);
   EXPECT_EQ(json.at("ms_per_scan").at("p95"), figures_[2].milliseconds.p95);
   EXPECT_EQ(json.at("bytes"), figures_[2].bytes);
   EXPECT_EQ(json.at("surface"), 1.0);
