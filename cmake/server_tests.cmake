@@ -4,9 +4,9 @@ find_package(catkin REQUIRED COMPONENTS
   geometry_msgs roscpp sensor_msgs std_srvs tf2 tf2_eigen visualization_msgs diagnostic_msgs shape_msgs nav_msgs)
 include_directories(SYSTEM ${catkin_INCLUDE_DIRS} ${ATOM_MAPPING_MESSAGES})
 set(server_sources "")
-foreach(name answer_request check_request cloud_conversion cloud_server fit_to_limits header_fault loaded_kind map_queries map_snapshot
-    map_storage no_returns point_queries pose_conversion scan_counts scan_report_message scan_server scan_worker simulated_messages
-    throttled_log)
+foreach(name answer_request check_request cloud_conversion cloud_server fit_to_limits header_fault loaded_kind
+    map_queries map_snapshot map_storage no_returns point_queries pose_conversion scan_counts scan_report_message
+    scan_server scan_worker simulated_messages throttled_log)
   list(APPEND server_sources src/ros/${name}.cpp)
 endforeach()
 add_library(server_under_test STATIC ${server_sources})

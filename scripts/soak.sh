@@ -33,8 +33,8 @@ roscore -p "${ROS_MASTER_URI##*:}" >"$output/roscore.log" 2>&1 &
 pids+=($!)
 until rosparam set /use_sim_time true 2>/dev/null; do sleep 0.2; done
 if [[ ${#light[@]} -eq 0 ]]; then
-  rm -f "$output/autosave.h5"  # of the last soak, which no node may replace
-  node_arguments+=("_storage/autosave:=$output/autosave.h5" _storage/autosave_period:=5.0)
+  # A folder of its own: what the last soak saved may be the map to start from.
+  node_arguments+=("_storage/autosave:=$(mktemp -d "$output/autosave.XXXX")/map.h5" _storage/autosave_period:=5.0)
 fi
 "$programs/atom_mapping_node" cloud_in:=/velodyne_points __name:=atom_mapping "${node_arguments[@]}" >"$output/node.log" 2>&1 &
 node=$!

@@ -40,7 +40,8 @@ void merge(const std::string& a_file, const std::string& b_file, const atom_map:
   const LoadedMap b = atom_map::loadMap(b_file);
   checkAlike(a, b);
   const atom_map::MergeReport report = atom_map::mergeInto(a.map, atom_map::transformed(b.map, b_to_a), a.parameters);
-  const std::string fault = "cannot write " + out + " within the limits of " + a_file;
+  const std::string fault = "cannot write " + out + " within the limits of " + a_file +
+                            ", which are those of the node that loaded it and saved it last";
   const std::size_t forgotten = atom_mapping::fitToLimits(fault, a.parameters.limits, a.map.origin(), a.map);
   std::cout << out << ": " << a.map.atoms().size() << " atoms, " << report.inserted << " of them from " << b_file
             << ", " << report.updates << " updates";

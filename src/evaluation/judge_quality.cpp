@@ -16,8 +16,9 @@ bool isClosed(const Scene& scene) {
 
 void add(const std::string& name, const std::vector<Share>& shares, nlohmann::ordered_json& json) {
   for (const Share& share : shares) {
-    json[name].push_back(share.value());
-    json[name + "_error"].push_back(standardError(share));
+    const bool is_known = share.whole > 0;  // no point is so near
+    json[name].push_back(is_known ? nlohmann::ordered_json(share.value()) : nullptr);
+    json[name + "_error"].push_back(is_known ? nlohmann::ordered_json(standardError(share)) : nullptr);
   }
 }
 

@@ -96,7 +96,8 @@ ExportedAtoms readStream(std::istream& in) {
     if (!in) throw std::runtime_error("it ends before its last vertex");
     const Eigen::Vector3d center(row[columns[0]], row[columns[1]], row[columns[2]]);
     if (i == 0) atoms.origin = center.array().floor();
-    if (!((center - atoms.origin).cwiseAbs().maxCoeff() <= kFarthest) || !std::isfinite(row[columns[3]])) {
+    const bool is_finite = center.allFinite() && std::isfinite(row[columns[3]]);
+    if (!is_finite || (center - atoms.origin).cwiseAbs().maxCoeff() > kFarthest) {
       throw std::runtime_error("vertex " + std::to_string(i) +
                                " is no atom: not of finite numbers, or over 1000 km off");
     }

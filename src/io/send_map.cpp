@@ -1,4 +1,3 @@
-#include <sstream>
 #include <stdexcept>
 
 #include "atom_mapping/base/describe_parameters.h"

@@ -39,14 +39,14 @@ void writeFile(const std::string& file, const std::function<void(std::ostream&)>
     out.close();
     const int written = out ? sync(part) : errno;
     if (!out || written != 0) fail(file, written);
+    std::error_code error;
+    fs::rename(part, file, error);
+    if (error) fail(file, error.value());
   } catch (...) {
     std::error_code ignored;
     fs::remove(part, ignored);
     throw;
   }
-  std::error_code error;
-  fs::rename(part, file, error);
-  if (error) fail(file, error.value());
   const int renamed = sync(fs::absolute(file).parent_path());
   const bool takes_no_sync =
       renamed == EACCES || renamed == EINVAL;  // a folder that may not be read, some network's disks

@@ -122,8 +122,8 @@ void BagReader::readStaticTransforms() {
   }
 }
 
-// Up to those that were recorded with a cloud and, as long as time goes on, some seconds after it: transforms of a time that began
-// anew would lie among those of before.
+// Up to those that were recorded with a cloud and, as long as time goes on, some seconds after it: transforms of a time that
+// began anew would lie among those of before.
 void BagReader::readTransforms(const ros::Time& recorded) {
   for (; next_transform_ != transform_view_.end() && next_transform_->getTime() <= recorded + kAhead;
        ++next_transform_) {
@@ -135,21 +135,20 @@ void BagReader::readTransforms(const ros::Time& recorded) {
     }
     for (const auto& transform : message->transforms) {
       transforms_->setTransform(transform, "bag", false);
-      ros::Time& newest = newest_[transform.child_frame_id];
-      newest = std::max(newest, transform.header.stamp);
+      last_[transform.child_frame_id] = transform.header.stamp;
     }
   }
 }
 
 bool BagReader::goesBack(const geometry_msgs::TransformStamped& transform) const {
-  const auto newest = newest_.find(transform.child_frame_id);
-  return newest != newest_.end() && transform.header.stamp.toSec() + TimeWatch::kTolerance < newest->second.toSec();
+  const auto last = last_.find(transform.child_frame_id);
+  return last != last_.end() && transform.header.stamp.toSec() + TimeWatch::kTolerance < last->second.toSec();
 }
 
 void BagReader::restartTime() {
   guarded(file_, [&] {
     transforms_->clear();  // which keeps the static ones
-    newest_.clear();
+    last_.clear();
     next_transform_ = transform_view_.begin();
     while (next_transform_ != transform_view_.end() && next_transform_->getTime() < recorded_.front())
       ++next_transform_;

@@ -89,7 +89,8 @@ TEST_F(ReadAtoms, refusesWhatIsNoAtom) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::string header = replaced(kHeader, "ascii", "binary_little_endian");
   for (const auto& [place, value] :
-       {std::pair(4, nan), std::pair(5, 1.0F / 0.0F), std::pair(6, 1e9F), std::pair(7, nan)}) {
+       {std::pair(0, nan), std::pair(1, nan), std::pair(2, nan), std::pair(4, nan), std::pair(5, nan),
+        std::pair(6, nan), std::pair(5, 1.0F / 0.0F), std::pair(6, 1e9F), std::pair(7, nan)}) {
     float rows[] = {1, 2, 3, 0.5F, 4, 5, 6, -0.5F};
     rows[place] = value;
     EXPECT_THROW(readAtoms(write(header + std::string(reinterpret_cast<const char*>(rows), sizeof rows))),

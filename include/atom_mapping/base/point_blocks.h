@@ -12,8 +12,8 @@ constexpr std::size_t kPointBlock = 256;
 template <class Number>
 using PointBlock = std::array<Number, kPointBlock>;  // a number of each point
 
-// Calls visit(begin, size, {x, y, z}) for one block after another of point_of(0) to point_of(count - 1): of the coordinates, which
-// always fill a block, the first `size` are those of the points from `begin` on.
+// Calls visit(begin, size, {x, y, z}) for one block after another of point_of(0) to point_of(count - 1): of the coordinates,
+// which always fill a block, the first `size` are those of the points from `begin` on.
 template <class PointOf, class Visit>
 void forEachPointBlock(std::size_t count, const PointOf& point_of, Visit&& visit) {
   std::array<PointBlock<float>, 3> coordinates{};

@@ -25,8 +25,8 @@ class BagReader {
   // `cloud_topic` empty: the bag's only PointCloud2 topic, or /velodyne_points among several. Throws BadBag.
   BagReader(const std::string& file, const std::string& cloud_topic);
 
-  // The next cloud, once transforms() hold what was recorded up to some seconds after it; null at the end. Throws
-  // BadBag where the bag is damaged.
+  // The next cloud, once transforms() hold what was recorded up to some seconds after it, or up to where their stamps begin
+  // anew; null at the end. Throws BadBag where the bag is damaged.
   sensor_msgs::PointCloud2ConstPtr next();
 
   // Time began anew with the first of the last TimeWatch::kClouds clouds: forgets the transforms that were recorded before it.
@@ -60,8 +60,8 @@ class BagReader {
   rosbag::View::iterator next_cloud_;
   rosbag::View::iterator next_transform_;
   std::optional<tf2::BufferCore> transforms_;
-  std::map<std::string, ros::Time> newest_;  // stamp of each child frame's transforms
-  std::deque<ros::Time> recorded_;           // when the last clouds were
+  std::map<std::string, ros::Time> last_;  // stamp that was read of each child frame's transforms
+  std::deque<ros::Time> recorded_;         // when the last clouds were
 };
 
 }  // namespace atom_mapping
