@@ -96,10 +96,11 @@ TEST_F(ComparisonOfFakes, JsonHoldsEveryFigure) {
 
 TEST(HeapReleased, IsWhatSmallBlocksTook) {
   std::vector<std::unique_ptr<char[]>> blocks;
-  for (int i = 0; i < 1000; ++i) blocks.push_back(std::make_unique<char[]>(1000));  // 1008 with the header
+  // 1008 bytes each with the header; 1024 where what is left of a freed block is too small to be a block.
+  for (int i = 0; i < 1000; ++i) blocks.push_back(std::make_unique<char[]>(1000));
   const std::size_t released = heapReleasedBy([&] { blocks.clear(); });
   EXPECT_GE(released, 1000000U);
-  EXPECT_LE(released, 1008000U);
+  EXPECT_LE(released, 1024000U);
 }
 
 TEST(ComparedMaps, ReleasingOneEmptiesItAndGivesItsMemoryBack) {
