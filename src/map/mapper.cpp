@@ -145,10 +145,10 @@ void Mapper::replace(AtomMap map, std::uint64_t scans) {
 
 bool Mapper::adopt(AtomMap map, double radius, std::uint64_t scans) {
   assert(map.radius() == static_cast<float>(radius));
-  const std::lock_guard scan_lock(scan_mutex_);
-  if (map.mode() == Mode::kOccupancy) {
-    clampLogOdds(static_cast<float>(parameters_.occupancy.max_log_odds), map.atoms());
+  if (map.mode() == Mode::kOccupancy) {  // before scans have to wait
+    clampLogOdds(static_cast<float>(parameters().occupancy.max_log_odds), map.atoms());
   }
+  const std::lock_guard scan_lock(scan_mutex_);
   const bool adopted = write([&](AtomMap& mine) {
     const bool is_alike = map.mode() == parameters_.mode && radius == parameters_.radius;
     if (mine.atoms().size() > 0 && !is_alike) return false;

@@ -65,7 +65,7 @@ bool Clearance::isSafe(const Vector3f& from, const Vector3f& to) {
   const float steps = std::max(1.0F, std::ceil(way.length / (kStep * map_.radius())));
   for (float i = 0.0F; i <= steps; i += 1.0F) {
     const Vector3f point = way.at(i / steps * way.length);
-    if (!keepsDistance(point) || collidesAt(point)) return false;
+    if (!keepsDistance(point, rules_.robot_radius) || collidesAt(point)) return false;
   }
   return true;
 }
@@ -90,10 +90,10 @@ bool Clearance::collidesAt(const Vector3f& point) const {
   return collides(map_, point, std::min(radius, core), false) || (radius > core && collides(map_, point, radius, true));
 }
 
-bool Clearance::keepsDistance(const Vector3f& point) {
+bool Clearance::keepsDistance(const Vector3f& point, float least) {
   if (map_.mode() == Mode::kOccupancy) return true;
   const auto estimate = distances_.estimate(point);
-  return !estimate || estimate->value >= rules_.robot_radius;
+  return !estimate || estimate->value >= least;
 }
 
 bool Clearance::isKnown(const Vector3f& from, const Vector3f& to) const {

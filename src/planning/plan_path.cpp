@@ -83,8 +83,7 @@ bool stillHolds(const PlannedPath& path, const PathTask& task) {
     for (std::size_t i = 1; holds && i < path.points.size(); ++i) {
       const Eigen::Vector3f from = map.toLocal(path.points[i - 1]);
       const Eigen::Vector3f to = map.toLocal(path.points[i]);
-      holds = clearance.isKnown(from, to) && clearance.isClear(from, to) &&
-              clearance.surfaceDistance(to, rules.robot_radius) >= least;
+      holds = clearance.isKnown(from, to) && clearance.isClear(from, to) && clearance.keepsDistance(to, least);
     }
   });
   return holds;

@@ -44,6 +44,9 @@ class Clearance {
   // Whether the sphere keeps clear of occupied atoms all the way.
   bool isClear(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
 
+  // Whether the regression leaves so much (m) to surfaces, in signed distance mode; true where it tells nothing.
+  bool keepsDistance(const Eigen::Vector3f& point, float least);
+
   // Whether every point of the way lies less than two radii from an atom, as between atoms' centers less than four radii
   // apart it always does.
   bool isKnown(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
@@ -51,7 +54,6 @@ class Clearance {
  private:
   float occupiedDistance(const Eigen::Vector3f& point, float reach) const;
   bool collidesAt(const Eigen::Vector3f& point) const;
-  bool keepsDistance(const Eigen::Vector3f& point);
 
   const AtomMap& map_;
   SafetyRules rules_;
