@@ -1,11 +1,10 @@
 #include "atom_mapping/ros/baseline_queries.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <limits>
 
+#include "../test_folder.h"
 #include "atom_mapping/ros/pose_conversion.h"
 #include "map_file_request.h"
 #include "simulated_input.h"
@@ -30,7 +29,7 @@ CheckCollision::Request sphere(const Vector3d& center, float radius, bool unknow
   return request;
 }
 
-class BaselineQueriesTest : public testing::Test {
+class BaselineQueriesTest : public FolderTest {
  protected:
   void SetUp() override {
     for (int i = 0; i < 3; ++i) {
@@ -114,7 +113,7 @@ TEST_F(BaselineQueriesTest, WhatCannotBeServedIsRefused) {
 }
 
 TEST_F(BaselineQueriesTest, MapsAreSavedOrItIsSaidWhyNot) {
-  const std::string file = testing::TempDir() + "baseline_" + std::to_string(getpid()) + ".bt";
+  const std::string file = path("map.bt");
   const auto saved = queries_.answer(at(file));
   ASSERT_TRUE(saved.success) << saved.message;
   EXPECT_EQ(saved.atoms, server_.read([](const auto& map) { return map.tree().getNumLeafNodes(); }));
@@ -122,7 +121,6 @@ TEST_F(BaselineQueriesTest, MapsAreSavedOrItIsSaidWhyNot) {
   octomap::OcTree tree(1.0);
   EXPECT_TRUE(tree.readBinary(file));
   EXPECT_GT(tree.size(), 1000U);
-  std::filesystem::remove(file);
   expectRefused(at("map.ply"), ".ot or .bt");
   expectRefused(at("map.ply"), "/map.ply");
   expectRefused(at(""), "file is empty; name one");

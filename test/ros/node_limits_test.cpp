@@ -1,8 +1,6 @@
 #include <std_srvs/Trigger.h>
-#include <unistd.h>
 
-#include <filesystem>
-
+#include "../test_folder.h"
 #include "atom_mapping/MapFile.h"
 #include "atom_mapping/io/map_file.h"
 #include "map_file_request.h"
@@ -16,7 +14,7 @@ using diagnostic_msgs::DiagnosticStatus;
 constexpr std::size_t kScans = 4;
 constexpr std::uint64_t kMost = 500;  // atoms
 
-class NodeLimits : public testing::Test {
+class NodeLimits : public FolderTest {
  protected:
   static DiagnosticStatus mapStatus() { return client->statuses["atom_mapping: map"]; }
 
@@ -61,10 +59,8 @@ TEST_F(NodeLimits, AMapThatIsTooLargeIsRefused) {
   atom_map::Mapper mapper(parameters);
   const SimulatedDrive drive;
   mapper.insertScan(atom_map::toLidarScan(drive.scan(0)), drive.pose(0));
-  const auto file = std::filesystem::temp_directory_path() / ("node_limits_" + std::to_string(getpid()) + ".h5");
-  atom_map::saveMap(atom_map::copyMap(mapper), file.string());
-  const auto response = NodeClient::call<MapFile>("load_map", at(file.string()));
-  std::filesystem::remove(file);
+  atom_map::saveMap(atom_map::copyMap(mapper), path("large.h5"));
+  const auto response = NodeClient::call<MapFile>("load_map", at(path("large.h5")));
   EXPECT_FALSE(response.success);
   EXPECT_NE(response.message.find("limits/max_atoms 500"), std::string::npos) << response.message;
 }
