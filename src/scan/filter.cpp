@@ -53,8 +53,8 @@ void sortReturns(const LidarScan& scan, const ScanParameters& parameters, Filter
 
 // One point of each cell, every one with the same probability: that with the greatest number drawn.
 // Choice: cells of half a radius. With a whole one a scan takes a fifth less time and long drives give as good a map, but in a
-// room, seen by few scans, free space is found more slowly; with one far off only, where rings lie apart, surfaces of passing
-// scenes are held less firmly and paths come nearer to them.
+// room, seen by few scans, free space is found more slowly. With one far off only, where rings lie apart, less of a busy street's
+// surfaces is kept.
 void thin(FilteredScan& scan, float cell_size, Random& random) {
   constexpr std::uint64_t kNumber = ~std::uint64_t{0} << 32;  // beneath it, which of the rays it is
   constexpr std::size_t kPointsPerCell = 4;                   // about
