@@ -17,8 +17,7 @@ bool isOctree(const std::string& file) {
 }  // namespace
 
 bool isExportable(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  return isOctree(file) || ending == ".ply" || ending == ".pcd" || ending == ".csv";
+  return isOctree(file) || isAtomFile(file);
 }
 
 void exportMap(const AtomMap& map, const std::string& file) {

@@ -64,14 +64,20 @@ void writeCsv(const Table& table, std::ostream& out) {
 }
 
 std::string extensionOf(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".ply" || extension == ".pcd" || extension == ".csv") return extension;
-  throw std::invalid_argument("cannot export to " + file + ": name a file that ends in .ply, .pcd or .csv");
+  return std::filesystem::path(file).extension().string();
 }
 
 }  // namespace
 
+bool isAtomFile(const std::string& file) {
+  const std::string extension = extensionOf(file);
+  return extension == ".ply" || extension == ".pcd" || extension == ".csv";
+}
+
 void exportAtoms(const AtomMap& map, const std::string& file) {
+  if (!isAtomFile(file)) {
+    throw std::invalid_argument("cannot export to " + file + ": name a file that ends in .ply, .pcd or .csv");
+  }
   const std::string extension = extensionOf(file);
   const Table table = toTable(map);
   writeFile(file, [&](std::ostream& out) {

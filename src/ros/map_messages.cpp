@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "atom_mapping/base/quantile.h"
 #include "atom_mapping/query/occupancy.h"
 #include "atom_mapping/ros/atom_colors.h"
 #include "atom_mapping/ros/pose_conversion.h"
@@ -42,8 +43,8 @@ class ColorScale {
     if (color_ != AtomColor::kHeight || atoms.empty()) return;
     std::vector<float> heights;
     for (const Atom& atom : atoms) heights.push_back(atom.center.z());
-    low_ = quantile(heights, kTail);
-    height_ = std::max(quantile(heights, 1.0 - kTail) - low_, kMinHeight);
+    low_ = atom_map::quantile(heights, kTail);
+    height_ = std::max(atom_map::quantile(heights, 1.0 - kTail) - low_, kMinHeight);
   }
 
   float operator()(const Atom& atom) const {
@@ -62,12 +63,6 @@ class ColorScale {
   // A map of another mode than the node was started with may have been loaded.
   static bool isKnown(atom_map::Mode mode, AtomColor color) {
     return color != (mode == atom_map::Mode::kOccupancy ? AtomColor::kDistance : AtomColor::kOccupancy);
-  }
-
-  static float quantile(std::vector<float>& values, double share) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
   }
 
   AtomColor color_;

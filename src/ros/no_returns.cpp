@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "atom_mapping/base/quantile.h"
+
 namespace atom_mapping {
 namespace {
 
@@ -27,21 +29,14 @@ float wrapped(float angle) {
   return std::remainder(angle, 2.0F * kPi);
 }
 
-// Of at least one value; reorders them.
-float median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The angle that most of some angles agree on; nothing where they do not. `angles` is used up.
 Angle commonAngle(std::vector<float>& angles) {
   if (angles.empty()) return std::nullopt;
   const float first = angles.front();
   for (float& angle : angles) angle = wrapped(angle - first);
-  const float center = median(angles);
+  const float center = atom_map::quantile(angles, 0.5);
   for (float& angle : angles) angle = std::abs(angle - center);
-  if (median(angles) > kMaxScatter) return std::nullopt;
+  if (atom_map::quantile(angles, 0.5) > kMaxScatter) return std::nullopt;
   return wrapped(first + center);
 }
 
@@ -81,7 +76,7 @@ Angle findStep(const std::vector<Angle>& azimuths) {
     if (azimuths[i - 1] && azimuths[i]) steps.push_back(wrapped(*azimuths[i] - *azimuths[i - 1]));
   }
   if (steps.empty()) return std::nullopt;
-  return median(steps);
+  return atom_map::quantile(steps, 0.5);
 }
 
 // Firings without a return, between such with one: only where less than half a turn and the sensor's step bear it out.

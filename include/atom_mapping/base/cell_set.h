@@ -12,8 +12,10 @@ namespace atom_map {
 // A set of cubic cells, for one pass over a scan: a bit a cell, in blocks of 4 x 4 x 4 in a hash table. Points that follow one
 // another along a ray meet the same few blocks again and again, which stay in the processor's cache.
 class CellSet {
+  static constexpr int kShift = 2;
+
  public:
-  static constexpr int kBlock = 4;  // cells on the side of a block
+  static constexpr int kBlock = 1 << kShift;  // cells on the side of a block, of which a word holds a bit each
 
   // Quickest where points fall into about as many blocks as expected.
   CellSet(float cell_size, std::size_t expected_blocks)
@@ -38,8 +40,10 @@ class CellSet {
 
   // The block's number; nothing if the cell was in the set already.
   std::optional<std::uint32_t> insert(const Cell& at) {
-    Block& block = table_.at(Cell{at.x >> 2, at.y >> 2, at.z >> 2});
-    const std::uint64_t cell = std::uint64_t{1} << ((at.x & 3) | (at.y & 3) << 2 | (at.z & 3) << 4);
+    Block& block = table_.at(Cell{at.x >> kShift, at.y >> kShift, at.z >> kShift});
+    constexpr int kWithin = kBlock - 1;
+    const std::uint64_t cell = std::uint64_t{1}
+                               << ((at.x & kWithin) | (at.y & kWithin) << kShift | (at.z & kWithin) << 2 * kShift);
     if ((block.cells & cell) != 0) return std::nullopt;
     if (block.cells == 0) block.number = blocks_++;
     block.cells |= cell;

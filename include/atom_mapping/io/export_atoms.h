@@ -7,6 +7,9 @@
 
 namespace atom_map {
 
+// Whether exportAtoms knows the file's extension.
+bool isAtomFile(const std::string& file);
+
 // Writes every atom, in the map frame and metres, by the file's extension: .ply (binary little endian, the radius also
 // as a comment `radius R`), .pcd (binary) or .csv. Columns: x y z radius log_odds, or x y z radius signed_distance
 // variance. All are float; x y z are double where the map lies more than 10 km from its frame's origin, for a float

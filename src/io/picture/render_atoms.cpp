@@ -24,6 +24,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "atom_mapping/base/quantile.h"
 #include "atom_mapping/io/picture/find_ceiling.h"
 #include "atom_mapping/io/picture/headless_gl.h"
 #include "atom_mapping/io/picture/light_atoms.h"
@@ -72,13 +73,6 @@ Eigen::Vector3f heightColor(float share) {
   return kColors[below] + (place - static_cast<float>(below)) * (kColors[below + 1] - kColors[below]);
 }
 
-// The value that the given share of the values lies under.
-double quantile(std::vector<double> values, double share) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 std::vector<Eigen::Vector3f> colorAtoms(const std::vector<Eigen::Vector3f>& centers, float radius,
                                         const RenderOptions& options) {
   const std::vector<float> light = lightAtoms(centers, radius, sunDirection(options).cast<float>());
@@ -125,7 +119,7 @@ void frameAtoms(const std::vector<Eigen::Vector3f>& centers, const RenderOptions
   const auto bound = [&](const Eigen::Vector3d& side, double slope) {
     std::vector<double> bounds;
     for (const Eigen::Vector3f& center : centers) bounds.push_back(center.cast<double>().dot(side + slope * back));
-    return quantile(std::move(bounds), 0.9995);
+    return quantile(bounds, 0.9995);
   };
   const double at_right = bound(right, slope_x);
   const double at_left = bound(-right, slope_x);
