@@ -100,8 +100,8 @@ def percentile(values, share):
     return sorted(values)[min(len(values) - 1, int(share * len(values)))] if values else float('nan')
 
 
-def judge(player, memory, asked):
-    """Prints the figures; what speaks against the node."""
+def judge(player, memory, asked, seconds):
+    """Prints the figures; what speaks against the node, which was asked for so long."""
     delays = player.delays
     print(f'scans: {player.scans} sent, {player.lost} lost; from sent to mapped: median {percentile(delays, 0.5) * 1e3:.0f} ms,'
           f' 95 % {percentile(delays, 0.95) * 1e3:.0f} ms, 99 % {percentile(delays, 0.99) * 1e3:.0f} ms, worst {max(delays, default=0) * 1e3:.0f} ms')
@@ -110,7 +110,7 @@ def judge(player, memory, asked):
     thirds = [memory.peak(i / 3, (i + 1) / 3) for i in range(3)]
     print('memory, peak of each third of the time: ' + ', '.join(f'{peak:.0f} MB' for peak in thirds))
     faults = [fault for asker in asked for fault in asker.faults]
-    faults += [f'{asker.name} was never answered' for asker in asked if asker.answers == 0]
+    faults += [f'{asker.name} was never answered' for asker in asked if asker.answers == 0 and asker.period < seconds]
     if not memory.alive:
         faults.append('the node has died')
     if player.lost:
@@ -142,7 +142,7 @@ def main():
         asked.betweenRounds(rounds)
     asked.stop()
     print(f'{rounds} rounds of the bag, time jumped back {rounds - 1} times')
-    faults = judge(player, memory, asked.all)
+    faults = judge(player, memory, asked.all, 60 * options.minutes)
     for fault in faults[:20]:
         print('FAULT:', fault)
     print('verdict: ' + (f'failed, {len(faults)} faults' if faults else 'passed'))
