@@ -17,8 +17,10 @@ using atom_map::LoadedMap;
 using atom_map::Mode;
 using atom_map::map_file::nameOf;
 
+constexpr int kColumn = 38;  // where the values stand; no name is longer
+
 std::ostream& label(const std::string& text) {
-  return std::cout << std::left << std::setw(34) << text;
+  return std::cout << std::left << std::setw(kColumn) << text << " ";
 }
 
 // For forEachParameter.
@@ -60,7 +62,7 @@ void print(const std::string& file) {
   const LoadedMap loaded = atom_map::loadMap(file);
   label("map") << file << ", whole\n";
   label("scans") << loaded.scans << "\n";
-  label("origin (m)") << loaded.map.origin().transpose() << "\n";
+  label("origin (m)") << (loaded.map.origin().array() + 0.0).transpose() << "\n";
   printAtoms(loaded.map, std::filesystem::file_size(file));
   std::cout << "parameters\n";
   atom_map::forEachParameter(loaded.parameters, ParameterPrinter{});

@@ -1,6 +1,8 @@
 #include "atom_mapping/io/write_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -27,11 +29,41 @@ int sync(const fs::path& path) {
   return error;
 }
 
+// A file that one writer has for itself, of all processes, until this goes: others wait.
+class OwnFile {
+ public:
+  // Makes it, if it is not there. Throws as writeFile(file).
+  OwnFile(const std::string& path, const std::string& file) {
+    do {
+      if (descriptor_ >= 0) ::close(descriptor_);
+      descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      if (descriptor_ < 0) fail(file, errno);
+      while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {  // some network's disks have no locks
+      }
+    } while (!isAt(path));
+  }
+  ~OwnFile() { ::close(descriptor_); }
+  OwnFile(const OwnFile&) = delete;
+  OwnFile& operator=(const OwnFile&) = delete;
+
+ private:
+  // Who had it before may have renamed or removed it.
+  bool isAt(const std::string& path) const {
+    struct stat mine {};
+    struct stat there {};
+    return ::fstat(descriptor_, &mine) == 0 && ::stat(path.c_str(), &there) == 0 && mine.st_ino == there.st_ino &&
+           mine.st_dev == there.st_dev;
+  }
+
+  int descriptor_ = -1;
+};
+
 }  // namespace
 
 void writeFile(const std::string& file, const std::function<void(std::ostream&)>& write) {
   checkWritable(file);
   const std::string part = file + ".part";
+  const OwnFile own(part, file);
   errno = 0;
   std::ofstream out(part, std::ios::binary);
   try {

@@ -11,7 +11,8 @@ using Eigen::Vector3f;
 
 constexpr int kPasses = 4;
 constexpr int kSweeps = 20;
-constexpr double kGain = 1e-4;  // of a cost; less is not worth the points
+constexpr std::size_t kLongest = 256;  // points that a straight way may replace at once: some milliseconds
+constexpr double kGain = 1e-4;         // of a cost; less is not worth the points
 
 // The straight way from a to b as points two radii apart or nearer, without a itself.
 std::vector<Waypoint> straight(const Waypoint& a, const Waypoint& b, const AtomMap& map, Clearance& clearance,
@@ -60,13 +61,17 @@ std::vector<Waypoint> densified(const std::vector<Waypoint>& path, const AtomMap
 Shortcut::Shortcut(std::vector<Waypoint> path, const PathPreference& preference, const SafetyRules& rules)
     : path_(std::move(path)), preference_(preference), rules_(rules) {}
 
-// From each point on: to the last one, then half as far, and so on.
+std::size_t Shortcut::longestFrom(std::size_t i) const {
+  return std::min(path_.size() - 1 - i, kLongest);
+}
+
+// From each point on: to the last one, or as far as may be, then half as far, and so on.
 bool Shortcut::advance(const AtomMap& map, std::chrono::steady_clock::time_point deadline) {
   if (!is_dense_) {
     Clearance clearance(map, rules_);
     path_ = densified(path_, map, clearance, preference_);
     is_dense_ = true;
-    gap_ = path_.size() - 1;
+    gap_ = longestFrom(0);
   }
   while (passes_ < kPasses) {
     goOn(gap_ >= 2 && replace(map, from_, from_ + gap_));
@@ -118,7 +123,7 @@ void Shortcut::goOn(bool is_replaced) {
     gains_ = false;
     from_ = 0;
   }
-  gap_ = path_.size() - 1 - from_;
+  gap_ = longestFrom(from_);
 }
 
 // Puts the straight way between two points in the place of what lies between them, if that is better.

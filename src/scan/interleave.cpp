@@ -8,8 +8,8 @@
 namespace atom_map {
 
 float touchingAngle(float radius, float distance) {
-  const float ratio = radius / distance;
-  return std::acos(std::max(-1.0F, 1.0F - 2.0F * ratio * ratio));
+  // The law of cosines in halves: its cosine rounds to 1 where atoms are small and far.
+  return 2.0F * std::asin(std::min(1.0F, radius / distance));
 }
 
 Interleaver::Interleaver(float radius, float lambda, float max_distance, Random& random)

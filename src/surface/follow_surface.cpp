@@ -112,11 +112,12 @@ class SurfaceSearch {
     if (request_.progress) request_.progress(found_.values.size());
   }
 
+  // Zero is free, as it is to the contour.
   bool isPassed(const LatticeCell& cell) const {
     int free = 0;
     for (const std::uint32_t corner : cell.corners) {
       if (std::isnan(found_.values[corner])) return false;
-      free += found_.values[corner] > 0.0F ? 1 : 0;
+      free += found_.values[corner] >= 0.0F ? 1 : 0;
     }
     return free > 0 && free < 8;
   }

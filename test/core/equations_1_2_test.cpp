@@ -18,7 +18,10 @@ TEST(Equation1, AngleOfTouchingAtomsByHand) {
               1e-6F);  // a square's corner
   EXPECT_NEAR(touchingAngle(0.5F, 10.0F), 2.0F * std::asin(0.05F),
               1e-5F);  // half the chord is r
-  EXPECT_NEAR(touchingAngle(0.1F, 25.0F), 2.0F * std::asin(0.004F), 0.01F * 0.008F);
+  for (const double ratio : {0.4, 0.04, 4e-3, 1e-4, 1e-5}) {
+    const double angle = 2.0 * std::asin(ratio);
+    EXPECT_NEAR(touchingAngle(static_cast<float>(ratio), 1.0F), angle, 1e-6 * angle) << ratio;
+  }
 }
 
 TEST(Equation1, AtomsAroundTheSensorTouchAllOthers) {

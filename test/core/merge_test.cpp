@@ -164,6 +164,24 @@ TEST(MergeOfAFreeCandidate, StaysOutWhereItOverlapsTwo) {
   EXPECT_EQ(add(map, {{}, {left, right, between}}, OccupancyParameters{}).inserted, 2U);
 }
 
+// Three atoms that touch one another, each at `distance` radii from it on one side: away from them is room, but how far?
+TEST(MergeOfAThinThing, IsPushedByARadiusAtMost) {
+  for (const float distance : {1.4F, 1.5F}) {
+    constexpr float kApart = 1.156F;  // radii, from their middle: 2.002 from one another
+    const float behind = std::sqrt(distance * distance - kApart * kApart);
+    AtomMap map(Mode::kOccupancy, kRadius);
+    Scan three;
+    for (const float turn : {0.0F, 2.0944F, 4.1888F}) {
+      three.free.push_back({kRadius * Vector3f(kApart * std::cos(turn), kApart * std::sin(turn), -behind), -0.4F});
+    }
+    ASSERT_EQ(add(map, three, OccupancyParameters{}).inserted, 3U);
+    const float push = 3.0F * (2.0F - distance) * behind / distance;  // radii
+    ASSERT_GT(std::hypot(kApart, behind + push), 2.0F) << "there is room";
+    const Candidate pole{Vector3f::Zero(), 1.7F, kRadius, Aside::kOfAll};
+    EXPECT_EQ(add(map, {{pole}, {}}, OccupancyParameters{}).inserted, push > 1.0F ? 0U : 1U) << distance;
+  }
+}
+
 TEST(MergeOfAThinThing, InsertsNothingWhereThereIsNoRoom) {
   AtomMap map(Mode::kOccupancy, kRadius);
   Scan corners;  // of a cube, 1.73 radii from its middle: what is pushed out of one lies in others

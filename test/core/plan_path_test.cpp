@@ -114,6 +114,7 @@ TEST(PlanPath, AGateIsAsWideAsTheRobotMustBeNarrow) {
   const PlannedPath stuck = plan(map, throughTheGate(1.3F));
   EXPECT_EQ(stuck.outcome, PathOutcome::kNoConnection);
   EXPECT_LT(stuck.nearest.x(), 0.0);
+  EXPECT_GT(stuck.nearest.x(), throughTheGate(1.3F).start.x() + 1.0);
   EXPECT_GT(stuck.expanded, 10U);
   EXPECT_GT(stuck.seconds, 0.0);
   EXPECT_TRUE(stuck.points.empty());

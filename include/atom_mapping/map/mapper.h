@@ -31,7 +31,7 @@ class Mapper {
   // milliseconds; a long reading is better cut into several.
   template <class F>
   auto read(F&& f) const {
-    const std::shared_lock lock(mutex_);
+    const auto lock = lockToRead();
     return std::forward<F>(f)(map_);
   }
 
@@ -39,7 +39,9 @@ class Mapper {
   // merged would be misplaced.
   template <class F>
   auto write(F&& f) {
+    std::unique_lock door(door_);
     const std::unique_lock lock(mutex_);
+    door.unlock();
     return std::forward<F>(f)(map_);
   }
 
@@ -47,7 +49,7 @@ class Mapper {
   template <class F>
   auto readBetweenScans(F&& f) const {
     const std::lock_guard scan_lock(scan_mutex_);
-    const std::shared_lock lock(mutex_);
+    const auto lock = lockToRead();
     return std::forward<F>(f)(map_, scans_);
   }
 
@@ -70,6 +72,12 @@ class Mapper {
   }
 
  private:
+  // Behind a writer that waits.
+  std::shared_lock<std::shared_mutex> lockToRead() const {
+    const std::lock_guard door(door_);
+    return std::shared_lock(mutex_);
+  }
+
   void mergeOccupancy(const std::vector<SurfacePoint>& surface, const std::vector<Eigen::Vector3f>& no_returns,
                       const Eigen::Isometry3f& sensor, Random& random, ScanReport& report);
   void mergeDistances(const std::vector<SurfacePoint>& surface, const Eigen::Vector3f& sensor, Random& random,
@@ -86,6 +94,7 @@ class Mapper {
   MapLimit limit_;
   mutable std::mutex parameters_mutex_;  // held last
   mutable std::mutex scan_mutex_;        // held from a scan's first stage to its last
+  mutable std::mutex door_;              // to mutex_, held by a writer that waits: readers alone would never let it in
   mutable std::shared_mutex mutex_;      // of the map
   AtomMap map_;
   std::uint64_t scans_ = 0;

@@ -24,6 +24,7 @@ class Shortcut {
  private:
   bool replace(const AtomMap& map, std::size_t from, std::size_t to);
   void goOn(bool is_replaced);
+  std::size_t longestFrom(std::size_t i) const;
   bool tighten(const AtomMap& map, std::size_t i);
   void tightenNext(const AtomMap& map);
 

@@ -29,11 +29,9 @@ class ScanServer : public CloudServer {
   // As Mapper::adopt. Also restarts time.
   bool adopt(atom_map::AtomMap map, double radius, std::uint64_t scans);
 
-  // As Mapper::read, save that readers come one at a time: such as overlap could hold the merge up for ever, since a
-  // std::shared_mutex lets them in first.
+  // As Mapper::read.
   template <class F>
   auto read(F&& f) const {
-    const std::lock_guard lock(reading_);
     return mapper_.read(std::forward<F>(f));
   }
 
@@ -49,7 +47,6 @@ class ScanServer : public CloudServer {
   void noteLimits(const atom_map::ScanReport& report);
 
   atom_map::Mapper mapper_;
-  mutable std::mutex reading_;
   mutable std::mutex limits_mutex_;  // of what follows
   LimitCounts limits_;
   atom_map::FallWatch fall_;
