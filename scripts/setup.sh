@@ -35,10 +35,26 @@ sourceUnchecked() {
   set -u
 }
 
+# The package in the workspace: links to all that the repository holds but the workspace itself, in which rosrun, who follows
+# links, would go round in a circle. package.xml is a copy, since CMake would install the link.
+layOutPackage() {
+  local package=$workspace/src/atom_mapping entry name
+  if [[ -L $package ]]; then rm "$package"; fi
+  mkdir -p "$package"
+  find "$package" -mindepth 1 -maxdepth 1 -xtype l -delete
+  for entry in "$repository"/* "$repository"/.[!.]*; do
+    name=${entry##*/}
+    if [[ $name == package.xml ]]; then
+      cmp -s "$entry" "$package/$name" || cp "$entry" "$package/$name"
+    elif [[ $name != .git && $name != .workspace && ! -e $package/$name ]]; then
+      ln -s "$entry" "$package/$name"
+    fi
+  done
+}
+
 installMissingPackages
 if [[ -f /opt/ros/noetic/setup.bash ]]; then sourceUnchecked /opt/ros/noetic/setup.bash; fi
-mkdir -p "$workspace/src"
-ln -sfn "$repository" "$workspace/src/atom_mapping"
+layOutPackage
 
 # How many units are compiled at once: one that includes PCL or roscpp takes up to 2 GB.
 memory_gb=$(awk '/MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)

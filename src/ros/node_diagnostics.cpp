@@ -5,11 +5,15 @@
 #include <utility>
 
 #include "atom_mapping/io/map_file_format.h"
+#include "atom_mapping/ros/cloud_silence.h"
 
 namespace atom_mapping {
 namespace {
 
 constexpr double kPeriod = 1.0;  // s
+// Without a cloud, of wall time: until the log tells of it, and tells of it again.
+constexpr std::chrono::seconds kPatience{10};
+constexpr std::chrono::seconds kLookAgain{60};
 
 }  // namespace
 
@@ -46,7 +50,7 @@ void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticSta
 
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const CloudServer& server,
                                  const DescribeMap& describe_map)
-    : server_(server) {
+    : server_(server), topic_(node.resolveName("cloud_in")), next_look_(Clock::now() + kPatience) {
   updater_.setHardwareID("none");
   updater_.add("scans", this, &NodeDiagnostics::describeScans);
   updater_.add("map", describe_map);
@@ -75,7 +79,7 @@ void NodeDiagnostics::describeScans(Status& status) {
   if (dropped > 0) {
     status.summaryf(Status::WARN, "%lu clouds dropped; the last: %s", dropped, counts.last_drop.c_str());
   } else if (counts.mapped == 0) {
-    status.summary(Status::OK, "waiting for the first cloud");
+    describeWaiting(status);
   } else {
     status.summaryf(Status::OK, "%.1f scans a second", rate);
   }
@@ -88,6 +92,17 @@ void NodeDiagnostics::describeScans(Status& status) {
     status.add(std::string("dropped: ") + toString(static_cast<Drop>(i)), counts.dropped[i]);
   }
   status.add("last drop", counts.last_drop);
+}
+
+void NodeDiagnostics::describeWaiting(Status& status) {
+  const auto now = Clock::now();
+  ros::master::V_TopicInfo advertised;
+  if (now >= next_look_ && ros::master::getTopics(advertised)) {
+    silence_ = describeSilence(topic_, advertised, ros::this_node::getName());
+    log_.warn("silence", "Nothing to map: " + silence_);
+    next_look_ = now + kLookAgain;
+  }
+  silence_.empty() ? status.summary(Status::OK, "waiting for the first cloud") : status.summary(Status::WARN, silence_);
 }
 
 }  // namespace atom_mapping

@@ -25,7 +25,8 @@ ScanInput::ScanInput(const ros::NodeHandle& node, CloudServer& server, tf2::Buff
             {[this](const auto& cloud) { worker_.add(cloud); },
              [this](const auto& cloud, const std::string& why) {
                drop(*cloud, Drop::kNoTransform,
-                    "no transform in time from " + cloud->header.frame_id + " to " + server_.mapFrame() + ": " + why);
+                    "no transform in time from " + cloud->header.frame_id + " to " + server_.mapFrame() + ": " + why +
+                        "; publish it, or set map_frame to a frame that tf knows");
              }}),
       spinner_(1, &queue_) {
   ros::NodeHandle own = withQueue(node, queue_);

@@ -100,7 +100,8 @@ class LaunchTest(unittest.TestCase):
         self.assertTrue(os.access(simulator, os.X_OK), simulator)
         with tempfile.TemporaryDirectory() as folder:
             drive = pathlib.Path(folder, 'drive.bag')
-            command = prefix[2].replace('/tmp/atom_mapping_cube_2.bag', str(drive))
+            name = next(word for word in shlex.split(prefix[2]) if word.endswith('_cube_2.bag'))
+            command = prefix[2].replace(name, str(drive))
 
             def play(script):
                 return subprocess.run(['bash', '-c', script, 'player', 'test', '-s', drive],

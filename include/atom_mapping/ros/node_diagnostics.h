@@ -9,6 +9,7 @@
 
 #include "atom_mapping/ros/baseline_server.h"
 #include "atom_mapping/ros/scan_server.h"
+#include "atom_mapping/ros/throttled_log.h"
 
 namespace atom_mapping {
 
@@ -16,13 +17,14 @@ namespace atom_mapping {
 void describeMap(const ScanServer& server, diagnostic_updater::DiagnosticStatusWrapper& status);
 void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticStatusWrapper& status);
 
-// /diagnostics, once a second of wall time: scan rate, delay, drops by cause, map size.
+// /diagnostics, once a second of wall time: scan rate, delay, drops by cause, map size. While no cloud comes, the log too
+// says what may be wrong.
 // Thread safety: noteScan may be called from any thread.
 class NodeDiagnostics {
  public:
   using DescribeMap = std::function<void(diagnostic_updater::DiagnosticStatusWrapper&)>;
 
-  // Reports are sent from the node's callback queue.
+  // Reports are sent from the node's callback queue; `node` subscribes to cloud_in.
   NodeDiagnostics(const ros::NodeHandle& node, const CloudServer& server, const DescribeMap& describe_map);
 
   // Of each scan that was mapped. `delay`: s from its stamp to its being in the map.
@@ -33,6 +35,7 @@ class NodeDiagnostics {
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
   void describeScans(Status& status);
+  void describeWaiting(Status& status);
 
   // Since the last report.
   struct Interval {
@@ -43,6 +46,10 @@ class NodeDiagnostics {
   };
 
   const CloudServer& server_;
+  std::string topic_;  // of the clouds
+  Clock::time_point next_look_;
+  std::string silence_;  // what is known of why no cloud comes; empty at first
+  ThrottledLog log_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
   std::uint64_t dropped_before_ = 0;

@@ -28,7 +28,7 @@ struct PublishParameters {
 
 // services/
 struct ServiceParameters {
-  std::uint32_t max_points = 1000000;  // points, spheres or rays in a request
+  std::uint32_t max_points = 1000000;  // points, spheres or rays in a request, cells of a surface
 };
 
 // storage/
