@@ -6,6 +6,7 @@ install(TARGETS ${ATOM_MAPPING_LIBRARIES}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 install(TARGETS ${programs} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-foreach(directory config launch rviz)  # each may be a link, which its slash follows
-  install(DIRECTORY ${directory}/ DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/${directory})
+foreach(directory config launch rviz)
+  get_filename_component(directory ${directory} REALPATH)  # a link would be installed as one
+  install(DIRECTORY ${directory} DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endforeach()
