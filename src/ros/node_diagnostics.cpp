@@ -11,9 +11,9 @@ namespace atom_mapping {
 namespace {
 
 constexpr double kPeriod = 1.0;  // s
-// Without a cloud, of wall time: until the log tells of it, and tells of it again.
+// Without a cloud, of wall time: until it is told, and until it is looked at again whether the reason is another.
 constexpr std::chrono::seconds kPatience{10};
-constexpr std::chrono::seconds kLookAgain{60};
+constexpr std::chrono::seconds kLookAgain{10};
 
 }  // namespace
 
@@ -98,8 +98,9 @@ void NodeDiagnostics::describeWaiting(Status& status) {
   const auto now = Clock::now();
   ros::master::V_TopicInfo advertised;
   if (now >= next_look_ && ros::master::getTopics(advertised)) {
-    silence_ = describeSilence(topic_, advertised, ros::this_node::getName());
-    log_.warn("silence", "Nothing to map: " + silence_);
+    const std::string found = describeSilence(topic_, advertised, ros::this_node::getName());
+    if (found != silence_) log_.warn("silence", "Nothing to map: " + found);
+    silence_ = found;
     next_look_ = now + kLookAgain;
   }
   silence_.empty() ? status.summary(Status::OK, "waiting for the first cloud") : status.summary(Status::WARN, silence_);

@@ -1,8 +1,8 @@
 // What a map forgets as its robot moves on; the paper keeps all.
 //
 // Choice: what is forgotten follows from the map, the parameters and the sensor's place alone, not from what was forgotten
-// before. So the same scans give the same map, and a map that was saved and loaded goes on as if it had never stopped; but limits/max_megabytes counts the memory that the tree
-// keeps for atoms to come, of which a loaded map has less.
+// before. So the same scans give the same map, and a map that was saved and loaded goes on as if it had never stopped; but
+// limits/max_megabytes counts the memory that the tree keeps for atoms to come, of which a loaded map has less.
 #pragma once
 
 #include <Eigen/Core>
