@@ -38,12 +38,12 @@ endforeach()
 
 if(NOT ATOM_MAPPING_CORE_ONLY)
   # test/ros/NAME.test: a rostest. Where test/ros/NAME_test.cpp lies beside it, that becomes the program NAME_test, a gtest
-  # with a main of its own, which NAME.test starts by <test pkg="atom_mapping" type="NAME_test" test-name="NAME"/>.
+  # with node_main.cpp, which NAME.test starts by <test pkg="atom_mapping" type="NAME_test" test-name="NAME"/>.
   file(GLOB ros_tests CONFIGURE_DEPENDS test/ros/*.test)
   foreach(test ${ros_tests})
     get_filename_component(name ${test} NAME_WE)
     if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/test/ros/${name}_test.cpp)
-      add_rostest_gtest(${name}_test test/ros/${name}.test test/ros/${name}_test.cpp)
+      add_rostest_gtest(${name}_test test/ros/${name}.test test/ros/${name}_test.cpp test/ros/node_main.cpp)
       target_link_libraries(${name}_test ${ATOM_MAPPING_LIBRARIES} ${catkin_LIBRARIES})
       add_dependencies(${name}_test ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
     else()

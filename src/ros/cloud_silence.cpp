@@ -2,7 +2,6 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
-#include <algorithm>
 #include <set>
 
 namespace atom_mapping {

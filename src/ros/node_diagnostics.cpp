@@ -10,10 +10,8 @@
 namespace atom_mapping {
 namespace {
 
-constexpr double kPeriod = 1.0;  // s
-// Without a cloud, of wall time: until it is told, and until it is looked at again whether the reason is another.
-constexpr std::chrono::seconds kPatience{10};
-constexpr std::chrono::seconds kLookAgain{10};
+constexpr double kPeriod = 1.0;                  // s
+constexpr std::chrono::seconds kLookPeriod{10};  // of wall time: how often it is asked why no cloud comes
 
 }  // namespace
 
@@ -50,7 +48,7 @@ void describeMap(const BaselineServer& server, diagnostic_updater::DiagnosticSta
 
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const CloudServer& server,
                                  const DescribeMap& describe_map)
-    : server_(server), topic_(node.resolveName("cloud_in")), next_look_(Clock::now() + kPatience) {
+    : server_(server), topic_(node.resolveName("cloud_in")), next_look_(Clock::now() + kLookPeriod) {
   updater_.setHardwareID("none");
   updater_.add("scans", this, &NodeDiagnostics::describeScans);
   updater_.add("map", describe_map);
@@ -99,9 +97,9 @@ void NodeDiagnostics::describeWaiting(Status& status) {
   ros::master::V_TopicInfo advertised;
   if (now >= next_look_ && ros::master::getTopics(advertised)) {
     const std::string found = describeSilence(topic_, advertised, ros::this_node::getName());
-    if (found != silence_) log_.warn("silence", "Nothing to map: " + found);
+    if (found != silence_) ROS_WARN_STREAM("Nothing to map: " << found);
     silence_ = found;
-    next_look_ = now + kLookAgain;
+    next_look_ = now + kLookPeriod;
   }
   silence_.empty() ? status.summary(Status::OK, "waiting for the first cloud") : status.summary(Status::WARN, silence_);
 }

@@ -1,5 +1,4 @@
-// Who reads the map may hold a scan up for as long as one reading takes, and no
-// longer.
+// Who reads the map may hold a scan up for as long as one reading takes, and no longer.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -14,8 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// There is one reading at every moment, since each lasts long and another
-// begins at once.
+// There is one reading at every moment, since each lasts long and another begins at once.
 TEST(MapperReaders, ThatRelieveOneAnotherLetScansIn) {
   constexpr std::uint32_t kScans = 20;
   constexpr int kReaders = 4;

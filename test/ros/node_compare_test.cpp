@@ -173,10 +173,3 @@ TEST_F(NodeCompare, DiagnosticsAndResetOfTheBaseline) {  // the last, since test
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_compare_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

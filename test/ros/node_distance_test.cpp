@@ -151,10 +151,3 @@ TEST_F(NodeDistance, SpheresInSurfacesCollideAndRaysEndAtThem) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_distance_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

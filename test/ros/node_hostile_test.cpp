@@ -189,10 +189,3 @@ TEST_F(NodeHostile, StampsThatGoOnInThePastAreANewBeginning) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_hostile_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

@@ -72,10 +72,3 @@ TEST_F(NodeLimits, ResetMakesRoomAndTheWarningEnds) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_limits_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

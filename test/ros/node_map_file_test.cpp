@@ -111,10 +111,3 @@ TEST_F(NodeMapFile, WhatCannotBeIsRefusedAndTheNodeLivesOn) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_map_file_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

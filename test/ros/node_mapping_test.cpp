@@ -233,10 +233,3 @@ TEST_F(NodeMapping, ClearingAndResetEmptyTheMap) {  // the last, since tests run
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_mapping_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

@@ -62,10 +62,3 @@ TEST(NodeParameters, AParameterTreeThatIsNoneStopsTheNode) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_parameters_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

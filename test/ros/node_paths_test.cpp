@@ -73,10 +73,3 @@ TEST(NodePaths, ServiceAndGoalPlanAndShowPaths) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_paths_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

@@ -235,10 +235,3 @@ INSTANTIATE_TEST_SUITE_P(Nodes, NodeRequests, testing::Values("atom_mapping", "d
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_requests_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

@@ -16,10 +16,3 @@ TEST(NodeSilence, DiagnosticsAndTheLogSayWhereThereAreClouds) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_silence_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

@@ -60,10 +60,3 @@ TEST_F(NodeTimeJump, ABagPlayedAgainIsMappedFromItsOwnPoses) {
 
 }  // namespace
 }  // namespace atom_mapping
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_time_jump_test");
-  ros::start();
-  return RUN_ALL_TESTS();
-}

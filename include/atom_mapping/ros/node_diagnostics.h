@@ -9,7 +9,6 @@
 
 #include "atom_mapping/ros/baseline_server.h"
 #include "atom_mapping/ros/scan_server.h"
-#include "atom_mapping/ros/throttled_log.h"
 
 namespace atom_mapping {
 
@@ -49,7 +48,6 @@ class NodeDiagnostics {
   std::string topic_;  // of the clouds
   Clock::time_point next_look_;
   std::string silence_;  // what is known of why no cloud comes; empty at first
-  ThrottledLog log_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
   std::uint64_t dropped_before_ = 0;
